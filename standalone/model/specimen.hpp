@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_MODEL_SPECIMEN_HPP
+#define SOLIDEM_MODEL_SPECIMEN_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "laws/algebra.hpp"
+
+namespace solidem {
+
+using Vector = Vector3<double>;
+
+/// Two bonded elements, i < j.
+struct Pair {
+  std::int32_t i, j;
+  friend bool operator==(const Pair& a, const Pair& b) { return a.i == b.i && a.j == b.j; }
+  friend bool operator<(const Pair& a, const Pair& b) {
+    return a.i != b.i ? a.i < b.i : a.j < b.j;
+  }
+};
+
+/// The continuous body that a specimen represents.
+struct Domain {
+  std::string shape = "imported";  ///< box, plate, cylinder, crystal or imported
+  Vector lower{}, upper{};         ///< bounding box of the body, m
+  std::array<bool, 3> periodic{false, false, false};
+  double volume = 0;  ///< exact volume of the body, m³
+  int axis = -1;      ///< of a cylinder: 0, 1, 2; else −1
+  double radius = 0;  ///< of a cylinder, m; else 0
+
+  /// Area of the section normal to an axis, m²: the disc of a cylinder's axis, else the volume over the
+  /// extent along the axis.
+  double cross_section(int normal_axis) const;
+};
+
+/// A compact packing of spheres: what every code reads.
+/// Elements stand in the order of a Hilbert curve, then of their number of bonds in windows of 128.
+struct Specimen {
+  std::vector<Vector> position;  ///< centres at rest, m
+  std::vector<double> radius;    ///< m
+  Domain domain;
+  std::vector<Pair> bonds;     ///< sorted, each pair once; rest length = distance of `position`
+  double bond_tolerance = -1;  ///< t of d ≤ (1+t)(R_i+R_j) that made the bonds; −1: unknown or none
+  std::map<std::string, std::vector<std::int32_t>> sets;  ///< named groups of elements
+  std::map<std::string, double> report;                   ///< figures of the packing, by name
+
+  std::size_t size() const { return position.size(); }
+};
+
+/// From centre i to centre j at rest, the nearest image in periodic directions, m.
+Vector rest_chord(const Specimen& specimen, Pair pair);
+
+/// Sum of the spheres' volumes, m³.
+double sphere_volume(const Specimen& specimen);
+
+/// Mean radius R_m, m.
+double mean_radius(const Specimen& specimen);
+
+/// The mass that each element represents, kg: density × body volume, shared by sphere volume, so that
+/// the sum is exactly the body's mass. `density` has one value per element or one for all, kg/m³.
+std::vector<double> represented_mass(const Specimen& specimen, const std::vector<double>& density);
+
+}  // namespace solidem
+
+#endif
