@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_SPECIMEN_BONDS_HPP
+#define SOLIDEM_SPECIMEN_BONDS_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "model/specimen.hpp"
+
+namespace solidem {
+
+/// The pairs with d_ij ≤ (1 + tolerance)(R_i + R_j), the nearest image in periodic directions;
+/// sorted, i < j. Touching spheres of a crystal count at tolerance 0: distances are compared with a
+/// relative margin of 1e-12. Throws InputError when the tolerance is not a number above −1, or when
+/// a periodic cell is so small that two images of one element would both be neighbours of another.
+std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance);
+
+/// Replaces the specimen's bonds by those of a tolerance, and notes the tolerance.
+void make_bonds(Specimen& specimen, double tolerance);
+
+/// Number of bonds of each element.
+std::vector<std::int32_t> count_bonds(const Specimen& specimen);
+
+/// The elements of the largest body that bonds hold together, ascending. Elements outside it have
+/// no stiffness and must be left out of the mechanics. Of several equally large the one with the
+/// lowest element; empty for an empty specimen.
+std::vector<std::int32_t> largest_component(const Specimen& specimen);
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Specimens on disk. The format follows from the extension:
+//   .h5    solidem specimen (HDF5), the only one that keeps everything
+//   .data  LIGGGHTS data file, atom style `hybrid granular molecular`, bonds included
+//   .txt   YADE text, "x y z r" a line (yade.ymport.text reads it)
+//   .csv   header "x,y,z,radius"
+// Numbers are written with 17 digits, so a round trip keeps every bit of positions and radii. The
+// text formats carry no domain: on import it is a box around the spheres, shape "imported", and its
+// volume is the box's, to be corrected in `Specimen::domain` by who knows better.
+#ifndef SOLIDEM_SPECIMEN_SPECIMEN_FILE_HPP
+#define SOLIDEM_SPECIMEN_SPECIMEN_FILE_HPP
+
+#include <string>
+
+#include "model/specimen.hpp"
+
+namespace solidem {
+
+/// Reads a specimen. Throws InputError that names the file, the place (line, element, bond), the
+/// value found and what would be right.
+Specimen read_specimen(const std::string& path);
+
+/// Writes a specimen under a temporary name beside `path`, then renames it: a failed write never
+/// destroys an existing file. Throws InputError when the extension is unknown and RunError when the
+/// file cannot be written.
+void write_specimen(const std::string& path, const Specimen& specimen);
+
+/// Throws InputError at the first thing that is wrong with a specimen: no element, a position or
+/// radius that is no number, a radius ≤ 0, a bond out of range, unsorted or twice, a set out of
+/// range, a periodic direction without extent, a volume ≤ 0. `origin` opens the text ("bar.h5").
+void check_specimen(const Specimen& specimen, const std::string& origin);
+
+}  // namespace solidem
+
+#endif
