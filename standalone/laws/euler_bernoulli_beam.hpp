@@ -3,7 +3,8 @@
 // Elastic Euler–Bernoulli beam between the centres of two elements.
 //
 // Source: Terreros 2013, section 3.2 (end loads of a beam bond, with its three misprinted signs put
-// right); vector measures of the end rotations as in Kuzkin & Asonov, Phys. Rev. E 86, 051301 (2012).
+// right); vector measures of the end rotations as in Kuzkin & Asonov, Phys. Rev. E 86, 051301
+// (2012).
 //
 // Symbols
 //   x      unit chord from element i to element j; L its length now, l at rest        [m]
@@ -14,9 +15,9 @@
 //
 // Derivation. Let θ_i, θ_j be the rotations of the end sections against the chord. The beam stores
 //   U = ½ k_a (L − l)² + k_b (θ_i² + θ_i·θ_j + θ_j²) + ½ k_t φ²,
-// θ transverse and φ = θ_jx − θ_ix. Replace the squares by products of unit vectors, equal to them up
-// to fourth order: θ_i² = 2 (1 − x·a_i), θ_j² = 2 (1 − x·a_j), |θ_i − θ_j|² = 2 (1 − a_i·a_j), and
-// φ = 2 u·a_i. Then
+// θ transverse and φ = θ_jx − θ_ix. Replace the squares by products of unit vectors, equal to them
+// up to fourth order: θ_i² = 2 (1 − x·a_i), θ_j² = 2 (1 − x·a_j), |θ_i − θ_j|² = 2 (1 − a_i·a_j),
+// and φ = 2 u·a_i. Then
 //   U = ½ k_a (L − l)² + k_b [3 (1 − x·a_i) + 3 (1 − x·a_j) − (1 − a_i·a_j)] + 2 k_t (u·a_i)²,
 // and the loads are its exact gradient:
 //   F_i = k_a (L − l) x − (3 k_b / L) P (a_i + a_j),   P = 1 − x xᵀ,   F_j = −F_i,
@@ -106,8 +107,8 @@ constexpr BeamLoad<Real> beam_load(const BeamRigidity<Real>& rigidity, const Rea
   const Vector3<Real> force = (tension + shear * dot(sum, x)) * x - shear * sum;
 
   const Vector3<Real>& u = pose.relative_turn.v;
-  const Vector3<Real> twist = (Real{2.0} * torsion * dot(u, a_i)) *
-                              (pose.relative_turn.w * a_i + cross(u, a_i));
+  const Vector3<Real> twist =
+      (Real{2.0} * torsion * dot(u, a_i)) * (pose.relative_turn.w * a_i + cross(u, a_i));
   const Vector3<Real> opening = bending * cross(a_i, a_j) - twist;
   const Vector3<Real> x3 = (Real{3.0} * bending) * x;
   return {force, cross(a_i, x3) - opening, cross(a_j, x3) + opening};

@@ -6,9 +6,9 @@
 //   W_ij = S_ij λ (T_j − T_i) / d_ij            power from j to i                  [W]
 //   S_ij = sqrt(S_i S_j), S_i = R_i² S_nd(N_v)  transmission area                  [m²]
 //   C_i  = c_p ρ_0 V_i / f_v(N_v)               heat capacity, V_i the sphere's    [J/K]
-// An element with N_v neighbours stands for the platonic solid with N_v faces drawn round it (S_nd) and
-// for the crystal with N_v neighbours (f_v). On a simple cubic lattice this is exactly the central
-// finite-difference scheme.
+// An element with N_v neighbours stands for the platonic solid with N_v faces drawn round it (S_nd)
+// and for the crystal with N_v neighbours (f_v). On a simple cubic lattice this is exactly the
+// central finite-difference scheme.
 #ifndef SOLIDEM_LAWS_PLATONIC_CONDUCTION_HPP
 #define SOLIDEM_LAWS_PLATONIC_CONDUCTION_HPP
 
@@ -16,8 +16,9 @@
 
 namespace solidem {
 
-/// S_nd: area of one face of the platonic solid round a unit sphere, linear in the number of neighbours
-/// between 4, 6, 8, 12 and 20; the outer slopes go on below 4 and above 20, and the area stays positive.
+/// S_nd: area of one face of the platonic solid round a unit sphere, linear in the number of
+/// neighbours between 4, 6, 8, 12 and 20; the outer slopes go on below 4 and above 20, and the area
+/// stays positive.
 inline double platonic_face_area(double neighbours) {
   // Face areas of the solids of inradius 1: tetrahedron 6√3, cube 4, octahedron 3√3/2, then
   // dodecahedron and icosahedron.
@@ -41,7 +42,8 @@ inline double platonic_face_area(double neighbours) {
 }
 
 /// f_v: volume fraction of the crystal with that many neighbours (diamond 4, simple cubic 6,
-/// body-centred 8, face-centred 12), linear between, 0 at 0, the last slope kept above 12, at most 1.
+/// body-centred 8, face-centred 12), linear between, 0 at 0, the last slope kept above 12, at
+/// most 1.
 inline double platonic_volume_fraction(double neighbours) {
   constexpr double pi = 3.14159265358979323846;
   const double count[] = {0, 4, 6, 8, 12};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Motion of a rigid sphere: its inertia is isotropic, so its angular velocity obeys J dω/dt = M in world
-// axes, and a constant ω turns it by exactly exp(ω Δt).
+// Motion of a rigid sphere: its inertia is isotropic, so its angular velocity obeys J dω/dt = M in
+// world axes, and a constant ω turns it by exactly exp(ω Δt).
 #ifndef SOLIDEM_LAWS_RIGID_SPHERE_HPP
 #define SOLIDEM_LAWS_RIGID_SPHERE_HPP
 
@@ -29,16 +29,14 @@ constexpr Quaternion<Real> turn(const Quaternion<Real>& orientation, const Vecto
       one -
       y * (Real{1.0 / 2} -
            y * (Real{1.0 / 24} -
-                y * (Real{1.0 / 720} -
-                     y * (Real{1.0 / 40320} -
-                          y * (Real{1.0 / 3628800} - y * Real{1.0 / 479001600})))));
+                y * (Real{1.0 / 720} - y * (Real{1.0 / 40320} - y * (Real{1.0 / 3628800} -
+                                                                     y * Real{1.0 / 479001600})))));
   const Real sine_over_angle =
-      one -
-      y * (Real{1.0 / 6} -
-           y * (Real{1.0 / 120} -
-                y * (Real{1.0 / 5040} -
-                     y * (Real{1.0 / 362880} -
-                          y * (Real{1.0 / 39916800} - y * Real{1.0 / 6227020800.0})))));
+      one - y * (Real{1.0 / 6} -
+                 y * (Real{1.0 / 120} -
+                      y * (Real{1.0 / 5040} -
+                           y * (Real{1.0 / 362880} -
+                                y * (Real{1.0 / 39916800} - y * Real{1.0 / 6227020800.0})))));
   const Quaternion<Real> q = Quaternion<Real>{cosine, sine_over_angle * half} * orientation;
   const Real scale = one / sqrt(q.w * q.w + dot(q.v, q.v));
   return {scale * q.w, scale * q.v};

@@ -14,7 +14,9 @@ double nearest_image(double difference, double extent, bool periodic) {
   return periodic ? difference - extent * std::nearbyint(difference / extent) : difference;
 }
 
-double volume_of_sphere(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; }
+double volume_of_sphere(double radius) {
+  return 4.0 / 3.0 * pi * radius * radius * radius;
+}
 
 }  // namespace
 

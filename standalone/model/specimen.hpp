@@ -19,9 +19,7 @@ using Vector = Vector3<double>;
 struct Pair {
   std::int32_t i, j;
   friend bool operator==(const Pair& a, const Pair& b) { return a.i == b.i && a.j == b.j; }
-  friend bool operator<(const Pair& a, const Pair& b) {
-    return a.i != b.i ? a.i < b.i : a.j < b.j;
-  }
+  friend bool operator<(const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
 };
 
 /// The continuous body that a specimen represents.
@@ -33,8 +31,8 @@ struct Domain {
   int axis = -1;      ///< of a cylinder: 0, 1, 2; else −1
   double radius = 0;  ///< of a cylinder, m; else 0
 
-  /// Area of the section normal to an axis, m²: the disc of a cylinder's axis, else the volume over the
-  /// extent along the axis.
+  /// Area of the section normal to an axis, m²: the disc of a cylinder's axis, else the volume over
+  /// the extent along the axis.
   double cross_section(int normal_axis) const;
 };
 
@@ -44,7 +42,7 @@ struct Specimen {
   std::vector<Vector> position;  ///< centres at rest, m
   std::vector<double> radius;    ///< m
   Domain domain;
-  std::vector<Pair> bonds;     ///< sorted, each pair once; rest length = distance of `position`
+  std::vector<Pair> bonds;  ///< sorted, each pair once; rest length = distance of `position`
   double bond_tolerance = -1;  ///< t of d ≤ (1+t)(R_i+R_j) that made the bonds; −1: unknown or none
   std::map<std::string, std::vector<std::int32_t>> sets;  ///< named groups of elements
   std::map<std::string, double> report;                   ///< figures of the packing, by name
@@ -61,8 +59,9 @@ double sphere_volume(const Specimen& specimen);
 /// Mean radius R_m, m.
 double mean_radius(const Specimen& specimen);
 
-/// The mass that each element represents, kg: density × body volume, shared by sphere volume, so that
-/// the sum is exactly the body's mass. `density` has one value per element or one for all, kg/m³.
+/// The mass that each element represents, kg: density × body volume, shared by sphere volume, so
+/// that the sum is exactly the body's mass. `density` has one value per element or one for all,
+/// kg/m³.
 std::vector<double> represented_mass(const Specimen& specimen, const std::vector<double>& density);
 
 }  // namespace solidem

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/region.hpp"
+
+#include "model/error.hpp"
+
+namespace solidem {
+
+namespace {
+
+double component(const Vector& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+bool inside(const Vector& p, const Vector& lower, const Vector& upper) {
+  return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && lower.z <= p.z &&
+         p.z <= upper.z;
+}
+
+std::string known_sets(const Specimen& specimen) {
+  if (specimen.sets.empty()) return "the specimen has no sets";
+  std::string names = "the specimen's sets are";
+  for (const auto& [name, elements] : specimen.sets) names += " " + name;
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> select(const Region& region, const Specimen& specimen) {
+  if (region.kind == Region::Kind::set) {
+    const auto found = specimen.sets.find(region.set);
+    if (found == specimen.sets.end())
+      throw InputError("no set \"" + region.set + "\": " + known_sets(specimen));
+    return found->second;
+  }
+  const Domain& domain = specimen.domain;
+  const double depth = region.layers > 0 ? region.layers * 2 * mean_radius(specimen) : region.depth;
+  const double low = component(domain.lower, region.axis);
+  const double high = component(domain.upper, region.axis);
+  std::vector<std::int32_t> elements;
+  for (std::size_t i = 0; i < specimen.size(); ++i) {
+    const Vector& p = specimen.position[i];
+    const double along = component(p, region.axis);
+    const bool chosen = region.kind == Region::Kind::all ? true
+                        : region.kind == Region::Kind::box
+                            ? inside(p, region.lower, region.upper)
+                            : (region.high_side ? high - along : along - low) <= depth;
+    if (chosen) elements.push_back(static_cast<std::int32_t>(i));
+  }
+  return elements;
+}
+
+std::int32_t nearest_element(const Specimen& specimen, const Vector& point) {
+  std::int32_t best = 0;
+  double least = Region::infinity;
+  for (std::size_t i = 0; i < specimen.size(); ++i) {
+    const Vector d = specimen.position[i] - point;
+    if (dot(d, d) < least) {
+      least = dot(d, d);
+      best = static_cast<std::int32_t>(i);
+    }
+  }
+  return best;
+}
+
+}  // namespace solidem

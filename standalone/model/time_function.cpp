@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/time_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solidem {
+
+namespace {
+
+constexpr double two_pi = 6.28318530717958647692;
+
+double table_value(const std::vector<double>& time, const std::vector<double>& value, double t) {
+  if (time.empty()) return 0;
+  const auto next = std::upper_bound(time.begin(), time.end(), t);
+  if (next == time.begin()) return value.front();
+  if (next == time.end()) return value.back();
+  const auto k = static_cast<std::size_t>(next - time.begin());
+  const double share = (t - time[k - 1]) / (time[k] - time[k - 1]);
+  return value[k - 1] + share * (value[k] - value[k - 1]);
+}
+
+}  // namespace
+
+double TimeFunction::operator()(double t) const {
+  const double sine = amplitude == 0 ? 0 : amplitude * std::sin(two_pi * frequency * t + phase);
+  return table_value(time, value, t) + sine;
+}
+
+double TimeFunction::integral(double t) const {
+  // Trapezia between 0, the table's points inside (0, t) and t are exact for a piecewise linear
+  // table.
+  double sum = 0, from = 0;
+  for (const double point : time) {
+    if (point <= 0 || point >= t) continue;
+    sum +=
+        0.5 * (point - from) * (table_value(time, value, from) + table_value(time, value, point));
+    from = point;
+  }
+  sum += 0.5 * (t - from) * (table_value(time, value, from) + table_value(time, value, t));
+  if (amplitude == 0) return sum;
+  if (frequency == 0) return sum + amplitude * std::sin(phase) * t;
+  const double omega = two_pi * frequency;
+  return sum + amplitude / omega * (std::cos(phase) - std::cos(omega * t + phase));
+}
+
+}  // namespace solidem

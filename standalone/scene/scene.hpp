@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_SCENE_SCENE_HPP
+#define SOLIDEM_SCENE_SCENE_HPP
+
+#include <string>
+
+#include "engine/setup.hpp"
+#include "specimen/recipe.hpp"
+
+namespace solidem {
+
+/// A scene file, read and validated, in SI units.
+struct Scene {
+  std::string path;   ///< of the scene file
+  std::string title;  ///< the file's, or its name
+  SpecimenRecipe specimen;
+  std::optional<double> bond_tolerance;  ///< t of [bonds]; none: the specimen file's bonds, or 0
+  Setup setup;
+};
+
+/// Reads a scene file. Strict: an unknown key, a wrong unit, a missing or an impossible value
+/// throws InputError with file, line, key, what was found and what is allowed.
+Scene read_scene(const std::string& path);
+
+}  // namespace solidem
+
+#endif
