@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "output/hdf5.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "model/error.hpp"
+
+namespace solidem {
+
+static_assert(sizeof(hid_t) == sizeof(std::int64_t), "HDF5 1.10 or later has 64-bit handles");
+
+namespace {
+
+using Handle = std::shared_ptr<const std::int64_t>;
+
+template <class Close>
+Handle owned(hid_t id, Close close) {
+  return Handle(new std::int64_t(id), [close](const std::int64_t* handle) {
+    if (*handle >= 0) close(*handle);
+    delete handle;
+  });
+}
+
+// Errors are told by exceptions, not by the library's own print on the terminal.
+void silence() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+// The system's reason at the bottom of HDF5's error stack, as in "error message = 'No space left on
+// device'"; else the innermost description.
+std::string reason() {
+  std::string text;
+  H5Ewalk2(
+      H5E_DEFAULT, H5E_WALK_UPWARD,
+      [](unsigned, const H5E_error2_t* error, void* data) -> herr_t {
+        auto& found = *static_cast<std::string*>(data);
+        if (error->desc && found.empty()) found = error->desc;
+        return 0;
+      },
+      &text);
+  const std::string mark = "error message = '";
+  const auto begin = text.find(mark);
+  if (begin == std::string::npos) return text.empty() ? "unknown error of HDF5" : text;
+  const auto end = text.find('\'', begin + mark.size());
+  return text.substr(begin + mark.size(), end - begin - mark.size());
+}
+
+template <class T>
+hid_t memory_type();
+template <>
+hid_t memory_type<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+hid_t memory_type<float>() {
+  return H5T_NATIVE_FLOAT;
+}
+template <>
+hid_t memory_type<std::int32_t>() {
+  return H5T_NATIVE_INT32;
+}
+template <>
+hid_t memory_type<std::int64_t>() {
+  return H5T_NATIVE_INT64;
+}
+template <>
+hid_t memory_type<std::uint8_t>() {
+  return H5T_NATIVE_UINT8;
+}
+
+Handle dataspace(const std::vector<std::size_t>& shape) {
+  const std::vector<hsize_t> extents(shape.begin(), shape.end());
+  return owned(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr),
+               H5Sclose);
+}
+
+Handle parents_too() {
+  Handle list = owned(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(*list, 1);
+  return list;
+}
+
+std::string as_text(const std::vector<std::size_t>& shape) {
+  std::string text = "(";
+  for (std::size_t k = 0; k < shape.size(); ++k) text += (k ? ", " : "") + std::to_string(shape[k]);
+  return text + ")";
+}
+
+std::vector<std::size_t> extents_of(hid_t space) {
+  const int rank = H5Sget_simple_extent_ndims(space);
+  std::vector<hsize_t> extents(rank > 0 ? static_cast<std::size_t>(rank) : 0);
+  if (rank > 0) H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+  return {extents.begin(), extents.end()};
+}
+
+bool is_numeric(hid_t type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  return kind == H5T_INTEGER || kind == H5T_FLOAT;
+}
+
+}  // namespace
+
+void Hdf5Group::fail_reading(const std::string& name, const std::string& what) const {
+  throw InputError(where_ + (where_.back() == '/' ? "" : "/") + name + ": " + what);
+}
+
+void Hdf5Group::fail_writing(const std::string& name) const {
+  throw RunError("cannot write " + where_ + (where_.back() == '/' ? "" : "/") + name + ": " +
+                 reason());
+}
+
+bool Hdf5Group::has(const std::string& name) const {
+  // H5Lexists is an error, not a no, when a parent is missing: ask for every level.
+  for (std::size_t slash = name.find('/', 1);; slash = name.find('/', slash + 1)) {
+    if (H5Lexists(id(), name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (slash == std::string::npos) return true;
+  }
+}
+
+bool Hdf5Group::has_attribute(const std::string& name) const {
+  return H5Aexists(id(), name.c_str()) > 0;
+}
+
+void Hdf5Group::insist_there_is(const std::string& name) const {
+  if (!has(name)) fail_reading(name, "missing in the file");
+}
+
+std::vector<std::string> Hdf5Group::names() const {
+  std::vector<std::string> found;
+  H5Literate(
+      id(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
+      [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
+        static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+        return 0;
+      },
+      &found);
+  return found;
+}
+
+std::vector<std::string> Hdf5Group::attribute_names() const {
+  std::vector<std::string> found;
+  H5Aiterate2(
+      id(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
+      [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {
+        static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+        return 0;
+      },
+      &found);
+  return found;
+}
+
+Hdf5Group Hdf5Group::object(const std::string& name) const {
+  if (name != ".") insist_there_is(name);
+  Handle handle = owned(H5Oopen(id(), name.c_str(), H5P_DEFAULT), H5Oclose);
+  if (*handle < 0) fail_reading(name, "cannot be opened (" + reason() + ")");
+  return {file_, handle, where_ + (where_.back() == '/' ? "" : "/") + name};
+}
+
+Hdf5Group Hdf5Group::group(const std::string& name) const {
+  insist_there_is(name);
+  Handle handle = owned(H5Gopen2(id(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  if (*handle < 0) fail_reading(name, "is no group");
+  return {file_, handle, where_ + (where_.back() == '/' ? "" : "/") + name};
+}
+
+Hdf5Group Hdf5Group::make_group(const std::string& name) const {
+  Handle handle =
+      owned(H5Gcreate2(id(), name.c_str(), *parents_too(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  if (*handle < 0) fail_writing(name);
+  return {file_, handle, where_ + (where_.back() == '/' ? "" : "/") + name};
+}
+
+void Hdf5Group::remove(const std::string& name) const {
+  if (H5Ldelete(id(), name.c_str(), H5P_DEFAULT) < 0) fail_writing(name);
+}
+
+std::vector<std::size_t> Hdf5Group::shape(const std::string& name) const {
+  insist_there_is(name);
+  const Handle set = owned(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (*set < 0) fail_reading(name, "is no dataset");
+  const Handle space = owned(H5Dget_space(*set), H5Sclose);
+  return extents_of(*space);
+}
+
+template <class T>
+std::vector<T> Hdf5Group::read(const std::string& name, std::size_t rows,
+                               std::size_t columns) const {
+  const std::vector<std::size_t> found = shape(name);
+  const bool fits = found.size() == (columns ? 2u : 1u) && (rows == any_rows || found[0] == rows) &&
+                    (!columns || found[1] == columns);
+  if (!fits) {
+    const std::string wanted_rows = rows == any_rows ? "any" : std::to_string(rows);
+    fail_reading(name, "has shape " + as_text(found) + ", expected (" + wanted_rows +
+                           (columns ? ", " + std::to_string(columns) : "") + ")");
+  }
+  const Handle set = owned(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle type = owned(H5Dget_type(*set), H5Tclose);
+  if (!is_numeric(*type)) fail_reading(name, "does not hold numbers");
+  std::vector<T> values(found[0] * (columns ? columns : 1));
+  if (!values.empty() &&
+      H5Dread(*set, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    fail_reading(name, "cannot be read, the file is damaged (" + reason() + ")");
+  return values;
+}
+
+template <class T>
+void Hdf5Group::write(const std::string& name, const T* values,
+                      const std::vector<std::size_t>& shape) const {
+  const Handle space = dataspace(shape);
+  const Handle set = owned(H5Dcreate2(id(), name.c_str(), memory_type<T>(), *space, *parents_too(),
+                                      H5P_DEFAULT, H5P_DEFAULT),
+                           H5Dclose);
+  if (*set < 0) fail_writing(name);
+  const bool empty = std::find(shape.begin(), shape.end(), std::size_t{0}) != shape.end();
+  if (!empty && H5Dwrite(*set, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+    fail_writing(name);
+}
+
+namespace {
+
+// Makes the attribute anew and fills it; false when HDF5 refuses.
+bool put_attribute(hid_t object, const std::string& name, hid_t type, hid_t space,
+                   const void* values) {
+  if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
+  const Handle attribute =
+      owned(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  return *attribute >= 0 && H5Awrite(*attribute, type, values) >= 0;
+}
+
+}  // namespace
+
+void Hdf5Group::set_attribute(const std::string& name, double value) const {
+  const Handle space = owned(H5Screate(H5S_SCALAR), H5Sclose);
+  if (!put_attribute(id(), name, H5T_NATIVE_DOUBLE, *space, &value)) fail_writing(name);
+}
+
+void Hdf5Group::set_attribute(const std::string& name, std::int64_t value) const {
+  const Handle space = owned(H5Screate(H5S_SCALAR), H5Sclose);
+  if (!put_attribute(id(), name, H5T_NATIVE_INT64, *space, &value)) fail_writing(name);
+}
+
+void Hdf5Group::set_attribute(const std::string& name, const std::string& value) const {
+  const Handle space = owned(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle type = owned(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(*type, H5T_VARIABLE);
+  H5Tset_cset(*type, H5T_CSET_UTF8);
+  const char* text = value.c_str();
+  if (!put_attribute(id(), name, *type, *space, &text)) fail_writing(name);
+}
+
+template <class T>
+void Hdf5Group::set_attribute(const std::string& name, const std::vector<T>& values) const {
+  const Handle space = dataspace({values.size()});
+  if (!put_attribute(id(), name, memory_type<T>(), *space, values.data())) fail_writing(name);
+}
+
+std::vector<double> Hdf5Group::numbers_attribute(const std::string& name, std::size_t count) const {
+  const std::string label = "attribute " + name;
+  if (!has_attribute(name)) fail_reading(label, "missing in the file");
+  const Handle attribute = owned(H5Aopen(id(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Handle space = owned(H5Aget_space(*attribute), H5Sclose);
+  const Handle type = owned(H5Aget_type(*attribute), H5Tclose);
+  if (!is_numeric(*type)) fail_reading(label, "is no number");
+  const hssize_t points = H5Sget_simple_extent_npoints(*space);
+  std::vector<double> values(points > 0 ? static_cast<std::size_t>(points) : 0);
+  if (count && values.size() != count)
+    fail_reading(label, "has " + std::to_string(values.size()) + " values, expected " +
+                            std::to_string(count));
+  if (!values.empty() && H5Aread(*attribute, H5T_NATIVE_DOUBLE, values.data()) < 0)
+    fail_reading(label, "cannot be read (" + reason() + ")");
+  return values;
+}
+
+double Hdf5Group::number_attribute(const std::string& name) const {
+  return numbers_attribute(name, 1)[0];
+}
+
+std::int64_t Hdf5Group::integer_attribute(const std::string& name) const {
+  numbers_attribute(name, 1);  // its checks; the value itself would lose digits beyond 2^53
+  const Handle attribute = owned(H5Aopen(id(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  std::int64_t value = 0;
+  if (H5Aread(*attribute, H5T_NATIVE_INT64, &value) < 0)
+    fail_reading("attribute " + name, "cannot be read (" + reason() + ")");
+  return value;
+}
+
+std::string Hdf5Group::text_attribute(const std::string& name) const {
+  const std::string label = "attribute " + name;
+  if (!has_attribute(name)) fail_reading(label, "missing in the file");
+  const Handle attribute = owned(H5Aopen(id(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Handle type = owned(H5Aget_type(*attribute), H5Tclose);
+  const Handle space = owned(H5Aget_space(*attribute), H5Sclose);
+  if (H5Tget_class(*type) != H5T_STRING || H5Sget_simple_extent_npoints(*space) != 1)
+    fail_reading(label, "is no text");
+  if (H5Tis_variable_str(*type) > 0) {
+    char* text = nullptr;
+    if (H5Aread(*attribute, *type, &text) < 0 || !text)
+      fail_reading(label, "cannot be read (" + reason() + ")");
+    const std::string value = text;
+    H5free_memory(text);
+    return value;
+  }
+  std::vector<char> text(H5Tget_size(*type) + 1, '\0');
+  if (H5Aread(*attribute, *type, text.data()) < 0)
+    fail_reading(label, "cannot be read (" + reason() + ")");
+  return text.data();
+}
+
+Hdf5File::Hdf5File(Handle file, std::string path)
+    : Hdf5Group(file, file, path + ":/"), path_(std::move(path)) {}
+
+Hdf5File Hdf5File::open(const std::string& path) {
+  silence();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
+  if (std::filesystem::is_directory(path, error))
+    throw InputError(path + ": is a directory, expected an HDF5 file");
+  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (*file >= 0) return {file, path};
+  const std::string why = reason();
+  if (why.find("truncated") != std::string::npos)
+    throw InputError(path + ": the file is cut short (" + why + "); copy or write it again");
+  if (why.find("signature") != std::string::npos) throw InputError(path + ": is no HDF5 file");
+  throw InputError(path + ": cannot be opened (" + why + ")");
+}
+
+Hdf5File Hdf5File::open_for_writing(const std::string& path) {
+  silence();
+  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  if (*file < 0) throw RunError("cannot open " + path + " to add to it: " + reason());
+  return {file, path};
+}
+
+Hdf5File Hdf5File::create(const std::string& path) {
+  silence();
+  const Handle file =
+      owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  if (*file < 0) throw RunError("cannot write " + path + ": " + reason());
+  return {file, path};
+}
+
+void Hdf5File::flush() const {
+  if (H5Fflush(*file_, H5F_SCOPE_LOCAL) < 0)
+    throw RunError("cannot write " + path_ + ": " + reason());
+}
+
+void Hdf5File::close() {
+  flush();
+  group_.reset();
+  file_.reset();
+}
+
+#define SOLIDEM_HDF5_TYPE(T)                                                                       \
+  template std::vector<T> Hdf5Group::read<T>(const std::string&, std::size_t, std::size_t) const;  \
+  template void Hdf5Group::write<T>(const std::string&, const T*, const std::vector<std::size_t>&) \
+      const;                                                                                       \
+  template void Hdf5Group::set_attribute<T>(const std::string&, const std::vector<T>&) const;
+SOLIDEM_HDF5_TYPE(double)
+SOLIDEM_HDF5_TYPE(float)
+SOLIDEM_HDF5_TYPE(std::int32_t)
+SOLIDEM_HDF5_TYPE(std::int64_t)
+SOLIDEM_HDF5_TYPE(std::uint8_t)
+#undef SOLIDEM_HDF5_TYPE
+
+}  // namespace solidem
