@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "neighbours/linked_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solidem {
+
+LinkedCells::LinkedCells(const CellBox& box, double reach, std::size_t elements)
+    : box_(box), extent_(box.upper - box.lower) {
+  if (!(reach > 0)) return;  // one cell holds all
+  // About one element a cell is best; far more cells than elements would only cost memory.
+  const double most_cells = 4.0 * static_cast<double>(elements) + 64.0;
+  double size = reach;
+  for (;; size *= 1.25) {
+    double product = 1;
+    std::array<double, 3> counts{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double count = std::floor(component(extent_, axis) / size);
+      // With two cells around a period, each would be the other's neighbour on both sides.
+      counts[axis] = count >= (box.periodic[axis] ? 3.0 : 1.0) ? count : 1.0;
+      product *= counts[axis];
+    }
+    if (product > most_cells) continue;
+    for (int axis = 0; axis < 3; ++axis) counts_[axis] = static_cast<std::size_t>(counts[axis]);
+    return;
+  }
+}
+
+void LinkedCells::sort(const std::vector<Vector>& position) {
+  const auto n = static_cast<std::ptrdiff_t>(position.size());
+  std::vector<Vector> inside(position.size());
+  cell_of_.resize(position.size());
+#pragma omp parallel for schedule(static) if (n > 20000)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    std::array<std::size_t, 3> index{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double extent = component(extent_, axis);
+      double x = component(position[i], axis) - component(box_.lower, axis);
+      if (box_.periodic[axis]) x -= extent * std::floor(x / extent);
+      component(inside[i], axis) = x;
+      const auto count = static_cast<double>(counts_[axis]);
+      index[axis] = extent > 0 ? static_cast<std::size_t>(
+                                     std::clamp(std::floor(x / (extent / count)), 0.0, count - 1))
+                               : 0;
+    }
+    cell_of_[i] = (index[2] * counts_[1] + index[1]) * counts_[0] + index[0];
+  }
+
+  first_.assign(cell_count() + 1, 0);
+  for (const std::size_t cell : cell_of_) ++first_[cell + 1];
+  for (std::size_t cell = 0; cell < cell_count(); ++cell) first_[cell + 1] += first_[cell];
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  residents_.resize(position.size());
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    residents_[next[cell_of_[i]]++] = {inside[i], static_cast<std::int32_t>(i)};
+}
+
+int LinkedCells::forward_neighbours(std::size_t cell,
+                                    std::array<std::size_t, 13>& neighbours) const {
+  const std::array<std::size_t, 3> here{cell % counts_[0], cell / counts_[0] % counts_[1],
+                                        cell / (counts_[0] * counts_[1])};
+  int found = 0;
+  for (int k = 0; k <= 1; ++k)
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        // All nine of the layer above; in its own layer the row above and the next in the row.
+        const bool forward = k > 0 || j > 0 || (j == 0 && i > 0);
+        if (!forward) continue;
+        const std::array<int, 3> step{i, j, k};
+        std::array<std::size_t, 3> there{};
+        bool exists = true;
+        for (int axis = 0; axis < 3; ++axis) {
+          const std::size_t count = counts_[axis];
+          if (step[axis] == 0)
+            there[axis] = here[axis];
+          else if (count == 1 ||
+                   (!box_.periodic[axis] && here[axis] == (step[axis] < 0 ? 0 : count - 1)))
+            exists = false;
+          else
+            there[axis] =
+                (here[axis] + count + static_cast<std::size_t>(step[axis] + 1) - 1) % count;
+        }
+        if (exists)
+          neighbours[found++] = (there[2] * counts_[1] + there[1]) * counts_[0] + there[0];
+      }
+  return found;
+}
+
+std::vector<Pair> neighbour_pairs(const CellBox& box, const std::vector<Vector>& position,
+                                  const std::vector<double>& radius, double tolerance) {
+  if (position.size() < 2) return {};
+  const double largest = *std::max_element(radius.begin(), radius.end());
+  const double stretch = (1.0 + tolerance) * (1.0 + 1e-12);
+  // A little more than the longest distance (the thesis' 1.004): no pair is lost to round-off.
+  LinkedCells cells(box, 1.004 * stretch * 2.0 * largest, position.size());
+  cells.sort(position);
+
+  // Blocks of cells fill lists of their own; the final sort makes the order independent of all
+  // this.
+  const std::size_t cell_count = cells.cell_count();
+  const auto blocks = static_cast<std::ptrdiff_t>(std::min<std::size_t>(cell_count, 64));
+  std::vector<std::vector<Pair>> found(blocks);
+#pragma omp parallel for schedule(dynamic) if (position.size() > 5000)
+  for (std::ptrdiff_t block = 0; block < blocks; ++block) {
+    const std::size_t first = cell_count * static_cast<std::size_t>(block) / blocks;
+    const std::size_t last = cell_count * static_cast<std::size_t>(block + 1) / blocks;
+    cells.for_each_pair(first, last, [&](std::int32_t i, std::int32_t j, const Vector& chord) {
+      const double reach = stretch * (radius[i] + radius[j]);
+      if (dot(chord, chord) <= reach * reach)
+        found[block].push_back({std::min(i, j), std::max(i, j)});
+    });
+  }
+
+  std::vector<Pair> pairs;
+  for (const auto& list : found) pairs.insert(pairs.end(), list.begin(), list.end());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace solidem

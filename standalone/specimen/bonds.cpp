@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "specimen/bonds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "model/error.hpp"
+#include "neighbours/linked_cells.hpp"
+
+namespace solidem {
+
+namespace {
+
+// A bond is one pair with one nearest image: a period must be longer than two bonds in a row.
+void insist_on_single_images(const Specimen& specimen, double tolerance) {
+  const Domain& domain = specimen.domain;
+  const double largest = *std::max_element(specimen.radius.begin(), specimen.radius.end());
+  const double longest = (1.0 + tolerance) * 2.0 * largest * (1.0 + 1e-9);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double period = component(domain.upper - domain.lower, axis);
+    if (!domain.periodic[axis] || period > 2.0 * longest) continue;
+    throw InputError(fmt::format(
+        "the specimen is periodic along {} with a period of {:.3g} m, and bonds of tolerance {} "
+        "may "
+        "be {:.3g} m long: an element could be bonded with two images of another; the period must "
+        "be longer than {:.3g} m, or not periodic along this axis",
+        "xyz"[axis], period, tolerance, longest, 2.0 * longest));
+  }
+}
+
+}  // namespace
+
+std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance) {
+  if (!(tolerance > -1.0) || !std::isfinite(tolerance))
+    throw InputError(fmt::format(
+        "bond tolerance {}: expected a number above -1, such as 0 (touching) or 0.05", tolerance));
+  if (specimen.size() == 0) return {};
+  insist_on_single_images(specimen, tolerance);
+  const Domain& domain = specimen.domain;
+  return neighbour_pairs({domain.lower, domain.upper, domain.periodic}, specimen.position,
+                         specimen.radius, tolerance);
+}
+
+void make_bonds(Specimen& specimen, double tolerance) {
+  specimen.bonds = find_bonds(specimen, tolerance);
+  specimen.bond_tolerance = tolerance;
+}
+
+std::vector<std::int32_t> count_bonds(const Specimen& specimen) {
+  std::vector<std::int32_t> count(specimen.size(), 0);
+  for (const Pair& pair : specimen.bonds) {
+    ++count[pair.i];
+    ++count[pair.j];
+  }
+  return count;
+}
+
+std::vector<std::int32_t> largest_component(const Specimen& specimen) {
+  // Union-find; the root of a component is its lowest element.
+  std::vector<std::int32_t> parent(specimen.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](std::int32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const Pair& pair : specimen.bonds) {
+    const std::int32_t a = root(pair.i), b = root(pair.j);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<std::int32_t> members(specimen.size(), 0);
+  for (std::size_t i = 0; i < members.size(); ++i) ++members[root(static_cast<std::int32_t>(i))];
+  std::vector<std::int32_t> elements;
+  if (members.empty()) return elements;
+  const auto largest =
+      static_cast<std::int32_t>(std::max_element(members.begin(), members.end()) - members.begin());
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (root(static_cast<std::int32_t>(i)) == largest)
+      elements.push_back(static_cast<std::int32_t>(i));
+  return elements;
+}
+
+}  // namespace solidem

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/error.hpp"
+#include "neighbours/linked_cells.hpp"
+#include "specimen/specimen_file.hpp"
+
+namespace solidem {
+
+namespace {
+
+void check_domain(const Domain& domain, const std::string& origin) {
+  static const char* const shapes[] = {"box", "plate", "cylinder", "crystal", "imported"};
+  if (std::find(std::begin(shapes), std::end(shapes), domain.shape) == std::end(shapes))
+    throw InputError(
+        fmt::format("{}: domain shape \"{}\": expected box, plate, cylinder, crystal or imported",
+                    origin, domain.shape));
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = component(domain.lower, axis), high = component(domain.upper, axis);
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low < high))
+      throw InputError(fmt::format("{}: domain from {} to {} m along {}: expected lower < upper",
+                                   origin, low, high, "xyz"[axis]));
+  }
+  if (!(domain.volume > 0) || !std::isfinite(domain.volume))
+    throw InputError(fmt::format("{}: domain volume {} m3: expected a number above zero", origin,
+                                 domain.volume));
+  const bool cylinder = domain.shape == "cylinder";
+  if (cylinder && (domain.axis < 0 || domain.axis > 2 || !(domain.radius > 0)))
+    throw InputError(fmt::format(
+        "{}: cylinder with axis {} and radius {} m: expected axis 0, 1 or 2 and a radius "
+        "above zero",
+        origin, domain.axis, domain.radius));
+}
+
+}  // namespace
+
+void check_specimen(const Specimen& specimen, const std::string& origin) {
+  const std::size_t n = specimen.size();
+  if (n == 0) throw InputError(origin + ": the specimen has no elements");
+  if (specimen.radius.size() != n)
+    throw InputError(
+        fmt::format("{}: {} positions but {} radii", origin, n, specimen.radius.size()));
+  check_domain(specimen.domain, origin);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector& p = specimen.position[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw InputError(fmt::format("{}: element {} has position ({}, {}, {}) m: expected numbers",
+                                   origin, i, p.x, p.y, p.z));
+    const double radius = specimen.radius[i];
+    if (!(radius > 0) || !std::isfinite(radius))
+      throw InputError(fmt::format("{}: element {} has radius {} m: expected a number above zero",
+                                   origin, i, radius));
+  }
+  for (std::size_t b = 0; b < specimen.bonds.size(); ++b) {
+    const Pair& pair = specimen.bonds[b];
+    if (pair.i < 0 || pair.j <= pair.i || static_cast<std::size_t>(pair.j) >= n)
+      throw InputError(fmt::format("{}: bond {} joins elements {} and {}: expected 0 <= i < j < {}",
+                                   origin, b, pair.i, pair.j, n));
+    if (b > 0 && specimen.bonds[b - 1] == pair)
+      throw InputError(
+          fmt::format("{}: the bond of elements {} and {} is there twice", origin, pair.i, pair.j));
+    if (b > 0 && pair < specimen.bonds[b - 1])
+      throw InputError(
+          fmt::format("{}: bond {} ({}, {}) comes after ({}, {}): expected rising order", origin, b,
+                      pair.i, pair.j, specimen.bonds[b - 1].i, specimen.bonds[b - 1].j));
+  }
+  for (const auto& [name, elements] : specimen.sets)
+    for (const std::int32_t element : elements)
+      if (element < 0 || static_cast<std::size_t>(element) >= n)
+        throw InputError(fmt::format("{}: set \"{}\" holds element {}: expected 0 <= element < {}",
+                                     origin, name, element, n));
+}
+
+}  // namespace solidem

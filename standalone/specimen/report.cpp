@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "specimen/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "neighbours/linked_cells.hpp"
+#include "specimen/bonds.hpp"
+
+namespace solidem {
+
+namespace {
+
+constexpr double counted_overlap = 0.005;
+
+double distance_to_walls(const Domain& domain, const Vector& position) {
+  double nearest = std::numeric_limits<double>::infinity();
+  double across = 0;  // squared distance to a cylinder's axis
+  for (int axis = 0; axis < 3; ++axis) {
+    const double x = component(position, axis);
+    const double low = component(domain.lower, axis), high = component(domain.upper, axis);
+    const bool round = domain.radius > 0 && axis != domain.axis;
+    if (round) across += (x - 0.5 * (low + high)) * (x - 0.5 * (low + high));
+    if (!round && !domain.periodic[axis]) nearest = std::min({nearest, x - low, high - x});
+  }
+  return domain.radius > 0 ? std::min(nearest, domain.radius - std::sqrt(across)) : nearest;
+}
+
+}  // namespace
+
+void measure_specimen(Specimen& specimen) {
+  auto& report = specimen.report;
+  const auto elements = static_cast<double>(specimen.size());
+  const auto bonds = static_cast<double>(specimen.bonds.size());
+  const double mean = mean_radius(specimen);
+  report["mean_radius"] = mean;
+  report["solid_fraction"] = sphere_volume(specimen) / specimen.domain.volume;
+  report["coordination_number"] = 2.0 * bonds / elements;
+
+  const std::vector<std::int32_t> degree = count_bonds(specimen);
+  double bulk_elements = 0, bulk_bonds = 0;
+  for (std::size_t i = 0; i < specimen.size(); ++i)
+    if (distance_to_walls(specimen.domain, specimen.position[i]) > 3.0 * mean) {
+      bulk_elements += 1;
+      bulk_bonds += degree[i];
+    }
+  report["bulk_elements"] = bulk_elements;
+  report["bulk_coordination_number"] = bulk_elements > 0 ? bulk_bonds / bulk_elements : 0;
+
+  Vector fabric{};
+  double overlap_sum = 0, overlap_max = 0, overlapping = 0, ejecting = 0;
+  for (const Pair& pair : specimen.bonds) {
+    const Vector chord = rest_chord(specimen, pair);
+    const double d2 = dot(chord, chord);
+    if (d2 > 0)
+      fabric += Vector{chord.x * chord.x / d2, chord.y * chord.y / d2, chord.z * chord.z / d2};
+    const double overlap =
+        1.0 - std::sqrt(d2) / (specimen.radius[pair.i] + specimen.radius[pair.j]);
+    if (overlap > 0) {
+      overlapping += 1;
+      overlap_sum += overlap;
+      overlap_max = std::max(overlap_max, overlap);
+    }
+    if (overlap > counted_overlap) ejecting += 1;
+  }
+  const double share = bonds > 0 ? 1.0 / bonds : 0.0;
+  report["fabric_x"] = share * fabric.x;
+  report["fabric_y"] = share * fabric.y;
+  report["fabric_z"] = share * fabric.z;
+  report["mean_overlap"] = overlapping > 0 ? overlap_sum / overlapping : 0;
+  report["max_overlap"] = overlap_max;
+  report["overlap_share"] = share * ejecting;
+  report["rattlers"] = static_cast<double>(std::count(degree.begin(), degree.end(), 0));
+  report["largest_component"] = static_cast<double>(largest_component(specimen).size());
+
+  const std::vector<double> mass = represented_mass(specimen, {1.0});
+  report["mass_error"] =
+      std::accumulate(mass.begin(), mass.end(), 0.0) / specimen.domain.volume - 1.0;
+}
+
+std::string format_report(const Specimen& specimen) {
+  const Domain& domain = specimen.domain;
+  const auto figure = [&](const char* name) {
+    const auto found = specimen.report.find(name);
+    return found == specimen.report.end() ? std::nan("") : found->second;
+  };
+  const Vector extent = domain.upper - domain.lower;
+  std::string periodic;
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.periodic[axis]) periodic += std::string(periodic.empty() ? "" : ", ") + "xyz"[axis];
+
+  std::string text;
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("{:<28}{}\n", name, value);
+  };
+  line("shape", domain.shape + (periodic.empty() ? "" : " (periodic along " + periodic + ")"));
+  line("extent", fmt::format("{:.6g} x {:.6g} x {:.6g} m", extent.x, extent.y, extent.z));
+  line("volume", fmt::format("{:.9g} m3{}", domain.volume,
+                             domain.shape == "imported" ? " (of the box around the spheres)" : ""));
+  line("elements", fmt::format("{}", specimen.size()));
+  line("mean radius", fmt::format("{:.6g} m", figure("mean_radius")));
+  line("solid fraction", fmt::format("{:.4f}", figure("solid_fraction")));
+  line("bonds",
+       specimen.bond_tolerance > -1
+           ? fmt::format("{} (tolerance {})", specimen.bonds.size(), specimen.bond_tolerance)
+           : fmt::format("{}", specimen.bonds.size()));
+  line("coordination number", fmt::format("{:.3f}", figure("coordination_number")));
+  line("  in the bulk",
+       figure("bulk_elements") > 0
+           ? fmt::format("{:.3f} ({:.0f} elements over 3 mean radii from walls)",
+                         figure("bulk_coordination_number"), figure("bulk_elements"))
+           : "no element is over 3 mean radii from all walls");
+  line("fabric tensor, diagonal", fmt::format("{:.4f} {:.4f} {:.4f}", figure("fabric_x"),
+                                              figure("fabric_y"), figure("fabric_z")));
+  line("overlap of bonds",
+       fmt::format("mean {:.3g} %, largest {:.3g} %, above 0.5 %: {:.3g} % of bonds",
+                   100 * figure("mean_overlap"), 100 * figure("max_overlap"),
+                   100 * figure("overlap_share")));
+  line("elements without bonds",
+       fmt::format("{:.0f} ({:.2f} %)", figure("rattlers"),
+                   100 * figure("rattlers") / static_cast<double>(specimen.size())));
+  line("largest bonded body", fmt::format("{:.0f} elements", figure("largest_component")));
+  line("represented mass",
+       fmt::format("density x volume, relative error {:.1e}", figure("mass_error")));
+  return text;
+}
+
+}  // namespace solidem
