@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Compiled once for each instruction set, with SOLIDEM_INSTRUCTION_SET naming it.
+#include "effects/kernels/kernels.hpp"
+
+#include "effects/kernels/beam_motion.hpp"
+#include "effects/kernels/heat_flow.hpp"
+
+#define SOLIDEM_TEXT_(x) #x
+#define SOLIDEM_TEXT(x) SOLIDEM_TEXT_(x)
+
+namespace solidem::SOLIDEM_INSTRUCTION_SET {
+
+extern const Kernels kernels;
+const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET), move_beams_by_kind, conduct};
+
+}  // namespace solidem::SOLIDEM_INSTRUCTION_SET

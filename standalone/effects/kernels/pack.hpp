@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// A pack of doubles as wide as the instruction set this file is compiled for. Laws take it as their
+// scalar. Everything here lives in a namespace of the instruction set, so that the linker never
+// mixes code of two of them.
+#ifndef SOLIDEM_EFFECTS_KERNELS_PACK_HPP
+#define SOLIDEM_EFFECTS_KERNELS_PACK_HPP
+
+#include <cmath>
+#include <cstdint>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#ifndef SOLIDEM_INSTRUCTION_SET
+#define SOLIDEM_INSTRUCTION_SET baseline
+#endif
+
+namespace solidem::SOLIDEM_INSTRUCTION_SET {
+
+#if defined(__AVX512F__)
+inline constexpr int width = 8;
+// The unmasked intrinsics read an undefined register, which g++ 12 warns of.
+inline constexpr __mmask8 every_lane = 0xff;
+#elif defined(__AVX__)
+inline constexpr int width = 4;
+#else
+inline constexpr int width = 2;
+#endif
+
+typedef double Lanes __attribute__((vector_size(width * sizeof(double))));
+
+/// `width` doubles, one in each lane.
+struct Pack {
+  Lanes v;
+
+  Pack() : v{} {}
+  Pack(double s) : v(Lanes{} + s) {}  // NOLINT: a scalar is a pack of equals
+  explicit Pack(Lanes lanes) : v(lanes) {}
+
+  static Pack load(const double* from) { return Pack(*reinterpret_cast<const Lanes*>(from)); }
+  void store(double* to) const { *reinterpret_cast<Lanes*>(to) = v; }
+
+  friend Pack operator+(Pack a, Pack b) { return Pack(a.v + b.v); }
+  friend Pack operator-(Pack a, Pack b) { return Pack(a.v - b.v); }
+  friend Pack operator*(Pack a, Pack b) { return Pack(a.v * b.v); }
+  friend Pack operator/(Pack a, Pack b) { return Pack(a.v / b.v); }
+  friend Pack operator-(Pack a) { return Pack(-a.v); }
+  Pack& operator+=(Pack b) { return *this = *this + b; }
+};
+
+inline Pack sqrt(Pack a) {
+#if defined(__AVX512F__)
+  return Pack(Lanes(_mm512_maskz_sqrt_pd(every_lane, a.v)));
+#elif defined(__AVX__)
+  return Pack(Lanes(_mm256_sqrt_pd(a.v)));
+#elif defined(__x86_64__)
+  return Pack(Lanes(_mm_sqrt_pd(a.v)));
+#else
+  Lanes r = a.v;
+  for (int k = 0; k < width; ++k) r[k] = __builtin_sqrt(a.v[k]);
+  return Pack(r);
+#endif
+}
+
+/// table[index[k]] in lane k.
+inline Pack gather(const double* table, const std::int32_t* index) {
+#if defined(__AVX512F__)
+  const __m256i at = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+  return Pack(Lanes(_mm512_mask_i32gather_pd(_mm512_setzero_pd(), every_lane, at, table, 8)));
+#else
+  Lanes r{};
+  for (int k = 0; k < width; ++k) r[k] = table[index[k]];
+  return Pack(r);
+#endif
+}
+
+/// Turns a square of packs over its diagonal.
+inline void transpose(Pack (&p)[width]) {
+#if defined(__AVX512F__)
+  Lanes a[8], b[8];
+  for (int k = 0; k < 8; k += 2) {
+    a[k] = __builtin_shufflevector(p[k].v, p[k + 1].v, 0, 8, 2, 10, 4, 12, 6, 14);
+    a[k + 1] = __builtin_shufflevector(p[k].v, p[k + 1].v, 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (int k = 0; k < 8; k += 4)
+    for (int h = 0; h < 2; ++h) {
+      b[k + h] = __builtin_shufflevector(a[k + h], a[k + h + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+      b[k + h + 2] = __builtin_shufflevector(a[k + h], a[k + h + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  for (int k = 0; k < 4; ++k) {
+    p[k].v = __builtin_shufflevector(b[k], b[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    p[k + 4].v = __builtin_shufflevector(b[k], b[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+#elif defined(__AVX__)
+  const Lanes a0 = __builtin_shufflevector(p[0].v, p[1].v, 0, 4, 2, 6);
+  const Lanes a1 = __builtin_shufflevector(p[0].v, p[1].v, 1, 5, 3, 7);
+  const Lanes a2 = __builtin_shufflevector(p[2].v, p[3].v, 0, 4, 2, 6);
+  const Lanes a3 = __builtin_shufflevector(p[2].v, p[3].v, 1, 5, 3, 7);
+  p[0].v = __builtin_shufflevector(a0, a2, 0, 1, 4, 5);
+  p[1].v = __builtin_shufflevector(a1, a3, 0, 1, 4, 5);
+  p[2].v = __builtin_shufflevector(a0, a2, 2, 3, 6, 7);
+  p[3].v = __builtin_shufflevector(a1, a3, 2, 3, 6, 7);
+#else
+  const Lanes a0 = __builtin_shufflevector(p[0].v, p[1].v, 0, 2);
+  const Lanes a1 = __builtin_shufflevector(p[0].v, p[1].v, 1, 3);
+  p[0].v = a0;
+  p[1].v = a1;
+#endif
+}
+
+/// Eight components of `width` elements, whose rows of eight doubles stand anywhere.
+struct Row {
+  Pack component[8];
+
+  static Row gather(const double* rows, const std::int32_t* index) {
+    Row row;
+    for (int part = 0; part < 8; part += width) {
+      Pack square[width];
+      for (int k = 0; k < width; ++k)
+        square[k] = Pack::load(rows + std::ptrdiff_t{8} * index[k] + part);
+      transpose(square);
+      for (int k = 0; k < width; ++k) row.component[part + k] = square[k];
+    }
+    return row;
+  }
+
+  /// The same for rows that follow one another.
+  static Row load(const double* rows) {
+    std::int32_t index[width];
+    for (int k = 0; k < width; ++k) index[k] = k;
+    return gather(rows, index);
+  }
+
+  void store(double* rows) const {
+    for (int part = 0; part < 8; part += width) {
+      Pack square[width];
+      for (int k = 0; k < width; ++k) square[k] = component[part + k];
+      transpose(square);
+      for (int k = 0; k < width; ++k) square[k].store(rows + std::ptrdiff_t{8} * k + part);
+    }
+  }
+};
+
+}  // namespace solidem::SOLIDEM_INSTRUCTION_SET
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Every column that an effect can ask for. A column that nobody asks for is never allocated.
+#ifndef SOLIDEM_MODEL_COLUMNS_HPP
+#define SOLIDEM_MODEL_COLUMNS_HPP
+
+#include <cstddef>
+
+namespace solidem {
+
+/// What a column has one entry for: an element, or a slot, which is one side of a bond.
+enum class Site { element, slot };
+
+/// A column of doubles. Columns of lanes are stored as [block of 8][component][8], rows as
+/// [element][component].
+struct Column {
+  enum class Layout { rows, lanes };
+  const char* name;
+  Site site;
+  Layout layout;
+  int components;
+  int buffers;   ///< 2 when a step reads one and writes the other
+  bool dynamic;  ///< changes during a run: belongs into a checkpoint
+  const char* unit;
+  const char* meaning;
+
+  constexpr std::size_t bytes() const {
+    return sizeof(double) * static_cast<std::size_t>(components * buffers);
+  }
+};
+
+namespace columns {
+
+using Layout = Column::Layout;
+
+/// What a neighbour reads of an element, in one cache line.
+inline constexpr Column pose{
+    "pose", Site::element, Layout::rows, 8,
+    2,      true,          "m, 1",       "centre x y z, spare, orientation quaternion w x y z"};
+inline constexpr Column velocity{
+    "velocity", Site::element, Layout::lanes, 3,
+    1,          true,          "m/s",         "half a time step behind the pose"};
+inline constexpr Column angular_velocity{"angular_velocity",
+                                         Site::element,
+                                         Layout::lanes,
+                                         3,
+                                         1,
+                                         true,
+                                         "rad/s",
+                                         "in world axes, half a step behind"};
+inline constexpr Column inverse_mass{
+    "inverse_mass", Site::element, Layout::lanes, 1, 1, false, "1/kg", "of the represented mass"};
+inline constexpr Column inverse_inertia{
+    "inverse_inertia",        Site::element, Layout::lanes, 1, 1, false, "1/(kg m^2)",
+    "of the represented mass"};
+inline constexpr Column rest_direction{"rest_direction",
+                                       Site::slot,
+                                       Layout::lanes,
+                                       3,
+                                       1,
+                                       false,
+                                       "1",
+                                       "from the element to its neighbour, in body axes"};
+inline constexpr Column rest_length{"rest_length",
+                                    Site::slot,
+                                    Layout::lanes,
+                                    1,
+                                    1,
+                                    false,
+                                    "m",
+                                    "distance of the centres when the bond was made"};
+inline constexpr Column bond_radius{"bond_radius",
+                                    Site::slot,
+                                    Layout::lanes,
+                                    1,
+                                    1,
+                                    false,
+                                    "m",
+                                    "of the beam, where it depends on the pair"};
+inline constexpr Column image_shift{"image_shift",
+                                    Site::slot,
+                                    Layout::lanes,
+                                    3,
+                                    1,
+                                    false,
+                                    "m",
+                                    "added to the neighbour's centre across a periodic face"};
+inline constexpr Column temperature{"temperature", Site::element, Layout::lanes,   1, 2,
+                                    true,          "K",           "of the element"};
+inline constexpr Column inverse_heat_capacity{
+    "inverse_heat_capacity",    Site::element, Layout::lanes, 1, 1, false, "K/J",
+    "of the represented volume"};
+inline constexpr Column conductance{"conductance", Site::slot, Layout::lanes, 1, 1,
+                                    false,         "W/K",      "of the bond"};
+
+}  // namespace columns
+
+}  // namespace solidem
+
+#endif

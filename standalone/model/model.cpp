@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/model.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace solidem {
+
+Model::Model(Specimen specimen)
+    : specimen_(std::move(specimen)), slots_(specimen_.size(), specimen_.bonds) {
+  specimen_.bonds = {};
+}
+
+std::size_t Model::size(const Column& column) const {
+  const std::size_t entries =
+      column.site == Site::element ? slots_.padded_elements() : slots_.rows() * lanes;
+  return entries * static_cast<std::size_t>(column.components);
+}
+
+const Model::Storage* Model::find(const Column& column) const {
+  for (const Storage& storage : storage_)
+    if (std::string(storage.column->name) == column.name) return &storage;
+  return nullptr;
+}
+
+Model::Storage& Model::require(const Column& column) {
+  if (const Storage* storage = find(column)) return const_cast<Storage&>(*storage);
+  throw std::logic_error(std::string("no effect asked for the column ") + column.name);
+}
+
+void Model::add(const Column& column) {
+  if (has(column)) return;
+  Storage storage{&column, {}, 0};
+  for (int b = 0; b < column.buffers; ++b) storage.buffer[b] = Buffer<double>(size(column));
+  storage_.push_back(std::move(storage));
+}
+
+double* Model::data(const Column& column) {
+  Storage& storage = require(column);
+  return storage.buffer[storage.current].data();
+}
+
+const double* Model::data(const Column& column) const {
+  return const_cast<Model*>(this)->data(column);
+}
+
+double* Model::next(const Column& column) {
+  Storage& storage = require(column);
+  return storage.buffer[1 - storage.current].data();
+}
+
+void Model::swap(const Column& column) {
+  Storage& storage = require(column);
+  storage.current = 1 - storage.current;
+}
+
+std::size_t Model::bytes() const {
+  std::size_t sum = slots_.bytes() + specimen_.position.capacity() * sizeof(Vector) +
+                    specimen_.radius.capacity() * sizeof(double);
+  for (const Storage& storage : storage_)
+    for (const Buffer<double>& buffer : storage.buffer) sum += buffer.size() * sizeof(double);
+  return sum;
+}
+
+std::vector<const Column*> Model::columns() const {
+  std::vector<const Column*> result;
+  for (const Storage& storage : storage_) result.push_back(storage.column);
+  return result;
+}
+
+}  // namespace solidem

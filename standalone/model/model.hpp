@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_MODEL_MODEL_HPP
+#define SOLIDEM_MODEL_MODEL_HPP
+
+#include <vector>
+
+#include "model/buffer.hpp"
+#include "model/columns.hpp"
+#include "model/slots.hpp"
+#include "model/specimen.hpp"
+
+namespace solidem {
+
+/// The state of a simulation: a specimen, its bonds as slots, and the columns that were asked for.
+class Model {
+ public:
+  /// Takes the specimen; its list of bonds becomes slots and is freed.
+  explicit Model(Specimen specimen);
+
+  const Specimen& specimen() const { return specimen_; }
+  const Slots& slots() const { return slots_; }
+  std::size_t elements() const { return specimen_.size(); }
+
+  /// Allocates a column, zeroed; asking again changes nothing.
+  void add(const Column& column);
+  bool has(const Column& column) const { return find(column) != nullptr; }
+
+  /// What a step reads (and writes, where the column has one buffer). Throws std::logic_error when
+  /// nobody asked for the column.
+  double* data(const Column& column);
+  const double* data(const Column& column) const;
+  /// What a step writes of a column of two buffers.
+  double* next(const Column& column);
+  /// Makes what was written what is read.
+  void swap(const Column& column);
+
+  /// Doubles in one buffer of a column.
+  std::size_t size(const Column& column) const;
+
+  /// Position in a column of lanes.
+  static constexpr std::size_t at(const Column& column, std::size_t element, int component = 0) {
+    return (element / lanes * static_cast<std::size_t>(column.components) +
+            static_cast<std::size_t>(component)) *
+               lanes +
+           element % lanes;
+  }
+  /// The same for a slot.
+  static constexpr std::size_t at_slot(const Column& column, std::size_t row, int lane,
+                                       int component = 0) {
+    return (row * static_cast<std::size_t>(column.components) +
+            static_cast<std::size_t>(component)) *
+               lanes +
+           static_cast<std::size_t>(lane);
+  }
+
+  /// Bytes of all that the model holds.
+  std::size_t bytes() const;
+
+  /// Columns present, in the order they were asked for.
+  std::vector<const Column*> columns() const;
+
+ private:
+  struct Storage {
+    const Column* column;
+    Buffer<double> buffer[2];
+    int current = 0;
+  };
+  const Storage* find(const Column& column) const;
+  Storage& require(const Column& column);
+
+  Specimen specimen_;
+  Slots slots_;
+  std::vector<Storage> storage_;
+};
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/slots.hpp"
+
+#include <algorithm>
+
+namespace solidem {
+
+Slots::Slots(std::size_t elements, const std::vector<Pair>& bonds)
+    : elements_(elements), bonds_(bonds.size()) {
+  const std::size_t blocks = (elements + lanes - 1) / lanes;
+  std::vector<std::uint32_t> used(blocks * lanes, 0);
+  for (const Pair& bond : bonds) {
+    ++used[static_cast<std::size_t>(bond.i)];
+    ++used[static_cast<std::size_t>(bond.j)];
+  }
+  first_row_.resize(blocks + 1);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const auto first = used.begin() + static_cast<std::ptrdiff_t>(b * lanes);
+    first_row_[b + 1] = first_row_[b] + *std::max_element(first, first + lanes);
+  }
+  neighbour_ = Buffer<std::int32_t>(std::size_t{first_row_.back()} * lanes);
+  for (std::size_t b = 0; b < blocks; ++b)
+    for (std::size_t k = first_row_[b] * std::size_t{lanes};
+         k < first_row_[b + 1] * std::size_t{lanes}; ++k)
+      neighbour_[k] = static_cast<std::int32_t>(b * lanes + k % lanes);
+
+  // Bonds are sorted pairs i < j: filling first the lower, then the higher neighbours leaves every
+  // element's neighbours in increasing order, whoever wrote the bonds.
+  std::fill(used.begin(), used.end(), 0);
+  const auto put = [&](std::int32_t element, std::int32_t neighbour) {
+    const auto e = static_cast<std::size_t>(element);
+    const std::size_t row = first_row_[e / lanes] + used[e]++;
+    neighbour_[row * lanes + e % lanes] = neighbour;
+  };
+  for (const Pair& bond : bonds) put(bond.j, bond.i);
+  for (const Pair& bond : bonds) put(bond.i, bond.j);
+}
+
+std::vector<int> Slots::coordination() const {
+  std::vector<int> count(elements_, 0);
+  for_each([&](std::int32_t element, std::int32_t, std::size_t, int) {
+    ++count[static_cast<std::size_t>(element)];
+  });
+  return count;
+}
+
+std::vector<Pair> Slots::pairs() const {
+  std::vector<Pair> result;
+  result.reserve(bonds_);
+  for_each([&](std::int32_t element, std::int32_t neighbour, std::size_t, int) {
+    if (element < neighbour) result.push_back({element, neighbour});
+  });
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace solidem
