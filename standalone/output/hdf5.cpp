@@ -25,6 +25,14 @@ Handle owned(hid_t id, Close close) {
   });
 }
 
+// No file locks: ParaView or a script may hold a file open while a run adds to it. Readers see what
+// was flushed last.
+Handle without_locks() {
+  Handle list = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(*list, false, true);
+  return list;
+}
+
 // Errors are told by exceptions, not by the library's own print on the terminal.
 void silence() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -319,7 +327,7 @@ Hdf5File Hdf5File::open(const std::string& path) {
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
   if (std::filesystem::is_directory(path, error))
     throw InputError(path + ": is a directory, expected an HDF5 file");
-  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, *without_locks()), H5Fclose);
   if (*file >= 0) return {file, path};
   const std::string why = reason();
   if (why.find("truncated") != std::string::npos)
@@ -330,7 +338,7 @@ Hdf5File Hdf5File::open(const std::string& path) {
 
 Hdf5File Hdf5File::open_for_writing(const std::string& path) {
   silence();
-  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, *without_locks()), H5Fclose);
   if (*file < 0) throw RunError("cannot open " + path + " to add to it: " + reason());
   return {file, path};
 }
@@ -338,7 +346,7 @@ Hdf5File Hdf5File::open_for_writing(const std::string& path) {
 Hdf5File Hdf5File::create(const std::string& path) {
   silence();
   const Handle file =
-      owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+      owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, *without_locks()), H5Fclose);
   if (*file < 0) throw RunError("cannot write " + path + ": " + reason());
   return {file, path};
 }

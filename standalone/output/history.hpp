@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Histories: one row of figures for each observed step, as CSV.
+#ifndef SOLIDEM_OUTPUT_HISTORY_HPP
+#define SOLIDEM_OUTPUT_HISTORY_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/descriptor.hpp"
+
+namespace solidem {
+
+/// Writes a history. The first line names the columns: step, time, then those given. Numbers have
+/// 17 digits, so that reading gives the same doubles. Every row is in the file when write_row
+/// returns, and a row that does not fit on the disk leaves no half of itself behind.
+class HistoryWriter {
+ public:
+  /// Starts a new file in the place of any earlier one. InputError for a name that is empty, twice
+  /// there, or holds a comma, a quotation mark or a line break; RunError if the file cannot be
+  /// written.
+  HistoryWriter(std::string path, const std::vector<std::string>& columns);
+
+  /// Goes on with the file of an earlier run after `step`: rows of later steps, and a last line cut
+  /// short, are dropped. InputError if there is no such file, its columns differ or a row cannot be
+  /// read.
+  static HistoryWriter resume(std::string path, const std::vector<std::string>& columns,
+                              std::int64_t step);
+
+  /// Adds a row: the step, the time in s and one value for each column given. RunError names the
+  /// file, the reason and the last step that is safe.
+  void write_row(std::int64_t step, double time, const std::vector<double>& values);
+
+  /// The step of the last row, none before the first.
+  std::optional<std::int64_t> last_step() const { return last_step_; }
+
+ private:
+  HistoryWriter() = default;
+  void open();
+
+  std::string path_;
+  std::size_t columns_ = 0;
+  Descriptor file_;
+  std::int64_t size_ = 0;  // bytes of whole rows
+  std::optional<std::int64_t> last_step_;
+};
+
+}  // namespace solidem
+
+#endif
