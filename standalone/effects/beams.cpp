@@ -188,6 +188,7 @@ void Beams::observe(const Model& model, Observation& observation) const {
   motion.moment.resize(elements);
   motion.velocity.resize(elements);
   motion.angular_velocity.resize(elements);
+  motion.kinetic_energy = 0;
   for (std::size_t i = 0; i < elements; ++i) {
     const std::size_t at = Model::at(columns::velocity, i);
     motion.velocity[i] =

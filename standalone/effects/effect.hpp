@@ -28,6 +28,7 @@ struct ObservedMotion {
   std::vector<Vector> moment;            ///< N·m
   std::vector<Vector> velocity;          ///< m/s
   std::vector<Vector> angular_velocity;  ///< rad/s
+  double kinetic_energy = 0;             ///< of the motion that no grip imposes, J
   double elastic_energy = 0;             ///< J
   double external_work = 0;              ///< done by the grips since the start, J
 };

@@ -27,6 +27,17 @@ double TimeFunction::operator()(double t) const {
   return table_value(time, value, t) + sine;
 }
 
+double TimeFunction::rate(double t) const {
+  const double omega = two_pi * frequency;
+  double slope = amplitude == 0 ? 0 : amplitude * omega * std::cos(omega * t + phase);
+  const auto next = std::upper_bound(time.begin(), time.end(), t);
+  if (next != time.begin() && next != time.end()) {
+    const auto k = static_cast<std::size_t>(next - time.begin());
+    slope += (value[k] - value[k - 1]) / (time[k] - time[k - 1]);
+  }
+  return slope;
+}
+
 double TimeFunction::integral(double t) const {
   // Trapezia between 0, the table's points inside (0, t) and t are exact for a piecewise linear
   // table.

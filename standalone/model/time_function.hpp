@@ -20,6 +20,9 @@ struct TimeFunction {
   /// The value at a time.
   double operator()(double t) const;
 
+  /// The time derivative; at a corner of the table that of the segment after it.
+  double rate(double t) const;
+
   /// The exact integral from time 0 to t (t ≥ 0): turns a velocity into a displacement.
   double integral(double t) const;
 };

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "effects/grips.hpp"
+
+namespace solidem {
+
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+double& component(Vector& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+double component(const Vector& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+}  // namespace
+
+Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
+           const std::vector<double>& mass, Model& model)
+    : parameters_(parameters), elements_(std::move(elements)) {
+  for (const std::int32_t e : elements_) {
+    const auto i = static_cast<std::size_t>(e);
+    rest_.push_back(model.specimen().position[i]);
+    mass_.push_back(mass[i]);
+    total_mass_ += mass[i];
+    double* velocity = model.data(columns::velocity);
+    for (int axis = 0; axis < 3; ++axis)
+      if (imposed(axis)) velocity[Model::at(columns::velocity, i, axis)] = 0;
+  }
+}
+
+bool Grip::imposed(int axis) const {
+  const auto kind = parameters_.axis[static_cast<std::size_t>(axis)].kind;
+  return kind == AxisControl::Kind::displacement || kind == AxisControl::Kind::velocity;
+}
+
+double Grip::imposed_displacement(int axis, double time) const {
+  const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
+  if (control.kind == AxisControl::Kind::displacement) return control.function(time);
+  if (control.kind == AxisControl::Kind::velocity) return control.function.integral(time);
+  return 0;
+}
+
+double Grip::imposed_velocity(int axis, double time) const {
+  const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
+  return control.kind == AxisControl::Kind::velocity ? control.function(time)
+                                                     : control.function.rate(time);
+}
+
+void Grip::advance(Model& model, const Step& step) {
+  double* velocity = model.data(columns::velocity);
+  double* spin = model.data(columns::angular_velocity);
+  const double* pose = model.data(columns::pose);
+  double* next = model.next(columns::pose);
+  const double after = step.time + step.time_step;
+  for (int axis = 0; axis < 3; ++axis) {
+    const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
+    if (imposed(axis)) {
+      const double place = imposed_displacement(axis, after);
+      const double moved = place - imposed_displacement(axis, step.time);
+      double bond_force = 0;
+      for (std::size_t k = 0; k < elements_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(elements_[k]);
+        double& v = velocity[Model::at(columns::velocity, i, axis)];
+        bond_force += v * mass_[k];
+        v = 0;
+        next[8 * i + static_cast<std::size_t>(axis)] = component(rest_[k], axis) + place;
+      }
+      double& last = last_displacement_[static_cast<std::size_t>(axis)];
+      work_ -= bond_force / step.kick * 0.5 * (last + moved);
+      last = moved;
+    } else if (control.kind == AxisControl::Kind::force) {
+      const double force = control.function(step.time);
+      const double gain = force / total_mass_ * step.kick;
+      for (std::size_t k = 0; k < elements_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(elements_[k]);
+        const std::size_t at = 8 * i + static_cast<std::size_t>(axis);
+        velocity[Model::at(columns::velocity, i, axis)] += gain;
+        next[at] += gain * step.time_step;
+        // The force at either end of a step works over half of it.
+        const double mean_force = 0.5 * (force + control.function(after));
+        work_ += mean_force * mass_[k] / total_mass_ * (next[at] - pose[at]);
+      }
+    }
+  }
+  if (!parameters_.rotation_fixed) return;
+  for (const std::int32_t e : elements_) {
+    const auto i = static_cast<std::size_t>(e);
+    for (int axis = 0; axis < 3; ++axis) spin[Model::at(columns::angular_velocity, i, axis)] = 0;
+    for (std::size_t k = 4; k < 8; ++k) next[8 * i + k] = pose[8 * i + k];
+  }
+}
+
+void Grip::observe(const Model& model, Observation& observation) const {
+  Vector bond_force{};
+  for (const std::int32_t e : elements_)
+    bond_force += observation.motion.force[static_cast<std::size_t>(e)];
+  double work = work_;
+  Vector grip_force{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
+    if (imposed(axis)) {
+      component(grip_force, axis) = -component(bond_force, axis);
+      work -=
+          component(bond_force, axis) * 0.5 * last_displacement_[static_cast<std::size_t>(axis)];
+    } else if (control.kind == AxisControl::Kind::force) {
+      component(grip_force, axis) = control.function(observation.time);
+    }
+  }
+  observation.motion.external_work += work;
+  correct_motion(model, grip_force, observation);
+  for (int axis = 0; axis < 3; ++axis)
+    observation.add("grip." + parameters_.name + ".force_" + axis_names[axis],
+                    component(grip_force, axis));
+  for (int axis = 0; axis < 3; ++axis)
+    if (imposed(axis))
+      observation.add("grip." + parameters_.name + ".displacement_" + axis_names[axis],
+                      imposed_displacement(axis, observation.time));
+}
+
+void Grip::correct_motion(const Model& model, const Vector& grip_force,
+                          Observation& observation) const {
+  const double* inverse_inertia = model.data(columns::inverse_inertia);
+  double& energy = observation.motion.kinetic_energy;
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(elements_[k]);
+    for (int axis = 0; axis < 3; ++axis) {
+      double& v = component(observation.motion.velocity[i], axis);
+      energy -= 0.5 * mass_[k] * v * v;
+      if (imposed(axis)) {
+        v = imposed_velocity(axis, observation.time);
+      } else {
+        v += component(grip_force, axis) / total_mass_ * observation.behind;
+        energy += 0.5 * mass_[k] * v * v;
+      }
+    }
+    if (!parameters_.rotation_fixed) continue;
+    Vector& spin = observation.motion.angular_velocity[i];
+    energy -= 0.5 * dot(spin, spin) / inverse_inertia[i];
+    spin = {};
+  }
+}
+
+std::vector<double> Grip::save() const {
+  return {work_, last_displacement_[0], last_displacement_[1], last_displacement_[2]};
+}
+
+void Grip::restore(const std::vector<double>& saved) {
+  work_ = saved.at(0);
+  last_displacement_ = {saved.at(1), saved.at(2), saved.at(3)};
+}
+
+}  // namespace solidem

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_EFFECTS_GRIPS_HPP
+#define SOLIDEM_EFFECTS_GRIPS_HPP
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "effects/effect.hpp"
+#include "effects/parameters.hpp"
+
+namespace solidem {
+
+/// Elements held, moved or loaded together.
+///
+/// The kernels move every element as if it were free; a grip then reads from the velocity that its
+/// elements gained what the bonds did to them, and puts them where they belong. So gripped elements
+/// cost nothing in the hot loop. Along an imposed axis the velocity column of a gripped element
+/// stays zero: its motion belongs to the grip, and its kinetic energy is not counted.
+///
+/// Work is summed with the trapezoidal rule on bond force and imposed displacement; a force applied
+/// to free elements works along their own path.
+class Grip : public Effect {
+ public:
+  /// `mass` per element of the specimen, kg.
+  Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
+       const std::vector<double>& mass, Model& model);
+
+  void advance(Model& model, const Step& step) override;
+  /// Velocities of the gripped elements, work, force and displacement of the grip.
+  void observe(const Model& model, Observation& observation) const override;
+  std::vector<double> save() const override;
+  void restore(const std::vector<double>& saved) override;
+
+  const std::vector<std::int32_t>& elements() const { return elements_; }
+
+  /// Displacement imposed along an axis at a time, m; 0 along an axis that is free or under force.
+  double imposed_displacement(int axis, double time) const;
+
+ private:
+  bool imposed(int axis) const;
+  double imposed_velocity(int axis, double time) const;
+  /// Corrects the observed velocities of the gripped elements, and the kinetic energy.
+  void correct_motion(const Model& model, const Vector& grip_force, Observation& observation) const;
+
+  GripParameters parameters_;
+  std::vector<std::int32_t> elements_;
+  std::vector<Vector> rest_;  ///< where the elements stood at the start
+  std::vector<double> mass_;  ///< of the elements
+  double total_mass_ = 0;
+  double work_ = 0;  ///< done up to the last step, but for its second half
+  std::array<double, 3> last_displacement_{};  ///< of the last step, along imposed axes
+};
+
+}  // namespace solidem
+
+#endif

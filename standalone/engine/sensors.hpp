@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_ENGINE_SENSORS_HPP
+#define SOLIDEM_ENGINE_SENSORS_HPP
+
+#include "effects/effect.hpp"
+#include "engine/setup.hpp"
+
+namespace solidem {
+
+/// Follows a quantity at the element nearest to a point.
+class PointSensor : public Observer {
+ public:
+  PointSensor(const Sensor& sensor, const Model& model);
+  void observe(const Model& model, Observation& observation) const override;
+  std::int32_t element() const { return element_; }
+
+ private:
+  Sensor sensor_;
+  std::int32_t element_;
+};
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "engine/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+
+#include "effects/beams.hpp"
+#include "effects/conduction.hpp"
+#include "effects/grips.hpp"
+#include "effects/imposed_temperature.hpp"
+#include "engine/gauge.hpp"
+#include "engine/sensors.hpp"
+#include "engine/stability.hpp"
+#include "model/error.hpp"
+#include "specimen/bonds.hpp"
+
+namespace solidem {
+
+namespace {
+
+constexpr double default_ratio = 0.3;
+
+std::string text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+std::string place(const Specimen& specimen, std::size_t i) {
+  const Vector& p = specimen.position[i];
+  return "element " + std::to_string(i) + " at (" + text(p.x) + ", " + text(p.y) + ", " +
+         text(p.z) + ") m";
+}
+
+/// The material of each element. Every element must lie in the region of exactly one.
+std::vector<std::size_t> assign_materials(const std::vector<Material>& materials,
+                                          const Specimen& specimen) {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> material(specimen.size(), none);
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    for (const std::int32_t e : select(materials[m].region, specimen)) {
+      const auto i = static_cast<std::size_t>(e);
+      if (material[i] != none)
+        throw InputError("[[material]] " + place(specimen, i) +
+                         " lies in the regions of materials " + std::to_string(material[i] + 1) +
+                         " and " + std::to_string(m + 1) + "; each element must lie in one");
+      material[i] = m;
+    }
+  for (std::size_t i = 0; i < specimen.size(); ++i)
+    if (material[i] == none)
+      throw InputError("[[material]] " + place(specimen, i) +
+                       " lies in the region of no material; each element must lie in one");
+  return material;
+}
+
+std::vector<double> property(const std::vector<Material>& materials,
+                             const std::vector<std::size_t>& of_element, double Material::*member) {
+  if (materials.size() == 1) return {materials[0].*member};
+  std::vector<double> values;
+  for (const std::size_t m : of_element) values.push_back(materials[m].*member);
+  return values;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
+    : setup_(setup), model_([&] {
+        // Components and bond counts are found while the list of bonds is still there.
+        const std::vector<std::int32_t> bonds = count_bonds(specimen);
+        unbonded_ = static_cast<std::size_t>(std::count(bonds.begin(), bonds.end(), 0));
+        if (setup.gauge) selections_["component"] = largest_component(specimen);
+        return Model(std::move(specimen));
+      }()) {
+  const Domain& domain = model_.specimen().domain;
+  plan_ = make_plan(setup_, domain.periodic[0] || domain.periodic[1] || domain.periodic[2]);
+  for (const PlannedColumn& planned : plan_.columns) model_.add(*planned.column);
+  const std::vector<std::size_t> material = assign_materials(setup_.materials, model_.specimen());
+  const auto values = [&](double Material::*member) {
+    return property(setup_.materials, material, member);
+  };
+  const std::vector<double> density = values(&Material::density);
+  if (setup_.beams) add_motion(density);
+  if (setup_.conduction)
+    add_heat({density, values(&Material::specific_heat), values(&Material::conductivity)});
+  add_observers();
+  choose_time_step(force);
+  Observation start;
+  observe(start);
+  initial_energy_ = start.motion.kinetic_energy + start.motion.elastic_energy;
+}
+
+Simulation::~Simulation() = default;
+
+std::vector<std::int32_t> Simulation::select_some(const std::string& name, const Region& region) {
+  std::vector<std::int32_t> elements = select(region, model_.specimen());
+  if (elements.empty())
+    throw InputError(
+        name + ": its region holds no element; the specimen's centres lie between (" +
+        text(model_.specimen().domain.lower.x) + ", " + text(model_.specimen().domain.lower.y) +
+        ", " + text(model_.specimen().domain.lower.z) + ") and (" +
+        text(model_.specimen().domain.upper.x) + ", " + text(model_.specimen().domain.upper.y) +
+        ", " + text(model_.specimen().domain.upper.z) + ") m");
+  selections_[name] = elements;
+  return elements;
+}
+
+void Simulation::add_motion(const std::vector<double>& density) {
+  const std::vector<double> mass = represented_mass(model_.specimen(), density);
+  auto beams = std::make_unique<Beams>(*setup_.beams, mass, model_);
+  beams_ = beams.get();
+  effects_.push_back(std::move(beams));
+  for (const InitialVelocity& initial : setup_.initial_velocities)
+    for (const std::int32_t e : select(initial.region, model_.specimen())) {
+      double* velocity = model_.data(columns::velocity);
+      const auto i = static_cast<std::size_t>(e);
+      velocity[Model::at(columns::velocity, i, 0)] = initial.velocity.x;
+      velocity[Model::at(columns::velocity, i, 1)] = initial.velocity.y;
+      velocity[Model::at(columns::velocity, i, 2)] = initial.velocity.z;
+    }
+  std::map<std::int32_t, std::string> gripped;
+  for (const GripParameters& grip : setup_.grips) {
+    std::vector<std::int32_t> elements = select_some("grip." + grip.name, grip.region);
+    for (const std::int32_t e : elements) {
+      const auto [other, alone] = gripped.emplace(e, grip.name);
+      if (!alone)
+        throw InputError("[[grips]] \"" + grip.name + "\" and \"" + other->second +
+                         "\" share elements, " +
+                         place(model_.specimen(), static_cast<std::size_t>(e)) +
+                         " for one; their regions must not overlap");
+    }
+    effects_.push_back(std::make_unique<Grip>(grip, std::move(elements), mass, model_));
+  }
+}
+
+void Simulation::add_heat(const ThermalProperties& properties) {
+  auto conduction = std::make_unique<Conduction>(*setup_.conduction, properties, model_);
+  conduction_ = conduction.get();
+  effects_.push_back(std::move(conduction));
+  std::map<std::int32_t, std::string> heated;
+  for (const ImposedTemperatureParameters& imposed : setup_.temperatures) {
+    std::vector<std::int32_t> elements = select_some("temperature." + imposed.name, imposed.region);
+    for (const std::int32_t e : elements) {
+      const auto [other, alone] = heated.emplace(e, imposed.name);
+      if (!alone)
+        throw InputError("[[temperatures]] \"" + imposed.name + "\" and \"" + other->second +
+                         "\" share elements, " +
+                         place(model_.specimen(), static_cast<std::size_t>(e)) +
+                         " for one; their regions must not overlap");
+    }
+    effects_.push_back(std::make_unique<ImposedTemperature>(imposed, std::move(elements), model_));
+  }
+}
+
+void Simulation::add_observers() {
+  if (setup_.gauge) {
+    auto gauge =
+        std::make_unique<GaugeSection>(*setup_.gauge, selections_["component"], *beams_, model_);
+    selections_.erase("component");
+    selections_["gauge"] = gauge->elements();
+    observers_.push_back(std::move(gauge));
+  }
+  for (const Sensor& sensor : setup_.sensors) {
+    auto point = std::make_unique<PointSensor>(sensor, model_);
+    selections_["sensor." + sensor.name] = {point->element()};
+    observers_.push_back(std::move(point));
+  }
+}
+
+void Simulation::choose_time_step(bool force) {
+  std::vector<TimeStepCriterion> criteria;
+  if (beams_ != nullptr) criteria = beams_->time_step_criteria(model_);
+  if (conduction_ != nullptr) criteria.push_back(conduction_->time_step_criterion(model_));
+  TimeStepChoice& choice = time_step_;
+  choice.bound = choice.limit = std::numeric_limits<double>::infinity();
+  for (const TimeStepCriterion& criterion : criteria)
+    if (criterion.value < choice.bound) {
+      choice.bound = criterion.value;
+      choice.criterion = criterion.name;
+    }
+  if (beams_ != nullptr) choice.limit = stable_time_step(*beams_, model_);
+  if (conduction_ != nullptr)
+    choice.limit = std::min(choice.limit, stable_time_step(*conduction_, model_));
+  const RunControl& run = setup_.run;
+  choice.value =
+      run.time_step ? *run.time_step : run.time_step_ratio.value_or(default_ratio) * choice.bound;
+  if (!std::isfinite(choice.value))
+    throw InputError(
+        "[run] nothing bounds the time step: the specimen has no bonds. Give time_step, "
+        "or a larger [bonds] tolerance");
+  choice.ratio = choice.value / choice.bound;
+  if (choice.value > choice.limit && !force)
+    throw InputError("[run] time step " + text(choice.value) + " s is beyond the stable limit " +
+                     text(choice.limit) + " s (" + choice.criterion + ": " + text(choice.bound) +
+                     " s); take a smaller one, or --force it");
+}
+
+std::int64_t Simulation::steps_to_run() const {
+  if (setup_.run.steps) return *setup_.run.steps;
+  return static_cast<std::int64_t>(
+      std::ceil(setup_.run.duration.value_or(0) / time_step_.value * (1 - 1e-12)));
+}
+
+void Simulation::advance(std::int64_t steps) {
+  for (std::int64_t n = 0; n < steps; ++n) {
+    const double dt = time_step_.value;
+    const Step step{time(), dt, step_ == 0 ? 0.5 * dt : dt};
+    for (const auto& effect : effects_) effect->advance(model_, step);
+    if (beams_ != nullptr) model_.swap(columns::pose);
+    if (conduction_ != nullptr) model_.swap(columns::temperature);
+    ++step_;
+  }
+}
+
+HistoryRow Simulation::observe() const {
+  Observation observation;
+  return observe(observation);
+}
+
+HistoryRow Simulation::observe(Observation& observation) const {
+  observation.time = time();
+  observation.behind = step_ == 0 ? 0 : 0.5 * time_step_.value;
+  for (const auto& effect : effects_) effect->observe(model_, observation);
+  for (const auto& observer : observers_) observer->observe(model_, observation);
+
+  HistoryRow row{step_, time(), {}};
+  if (beams_ != nullptr) {
+    const ObservedMotion& motion = observation.motion;
+    const double energy = motion.kinetic_energy + motion.elastic_energy;
+    row.values.emplace_back("kinetic_energy", motion.kinetic_energy);
+    row.values.emplace_back("elastic_energy", motion.elastic_energy);
+    row.values.emplace_back("external_work", motion.external_work);
+    row.values.emplace_back("energy_balance", energy - initial_energy_ - motion.external_work);
+  }
+  if (conduction_ != nullptr) {
+    const ObservedHeat& heat = observation.heat;
+    row.values.emplace_back("thermal_energy", heat.thermal_energy);
+    row.values.emplace_back("heat_input", heat.heat_input);
+    row.values.emplace_back("heat_balance", heat.thermal_energy - heat.heat_input);
+  }
+  row.values.insert(row.values.end(), observation.values.begin(), observation.values.end());
+  for (const auto& [name, value] : row.values)
+    if (!std::isfinite(value))
+      throw RunError("the run diverged: " + name + " is " + text(value) + " at step " +
+                     std::to_string(step_) + " (time " + text(time()) + " s); time step " +
+                     text(time_step_.value) + " s, stable limit at the start " +
+                     text(time_step_.limit) + " s");
+  return row;
+}
+
+std::map<std::string, std::vector<double>> Simulation::save() const {
+  std::map<std::string, std::vector<double>> saved;
+  for (const PlannedColumn& planned : plan_.columns) {
+    if (!planned.column->dynamic) continue;
+    const double* data = model_.data(*planned.column);
+    saved[std::string("column.") + planned.column->name] =
+        std::vector<double>(data, data + model_.size(*planned.column));
+  }
+  for (std::size_t k = 0; k < effects_.size(); ++k)
+    if (const std::vector<double> sums = effects_[k]->save(); !sums.empty())
+      saved["effect." + plan_.effects[k].name] = sums;
+  saved["initial_energy"] = {initial_energy_};
+  saved["time_step"] = {time_step_.value};
+  return saved;
+}
+
+void Simulation::restore(std::int64_t step,
+                         const std::map<std::string, std::vector<double>>& saved) {
+  const auto find = [&](const std::string& name) -> const std::vector<double>& {
+    const auto found = saved.find(name);
+    if (found == saved.end())
+      throw InputError("the checkpoint has no " + name + ": it is of another scene");
+    return found->second;
+  };
+  if (find("time_step").at(0) != time_step_.value)
+    throw InputError("the checkpoint was made with a time step of " +
+                     text(find("time_step").at(0)) + " s, the scene asks for " +
+                     text(time_step_.value) + " s; resume with the same");
+  for (const PlannedColumn& planned : plan_.columns) {
+    if (!planned.column->dynamic) continue;
+    const std::vector<double>& values = find(std::string("column.") + planned.column->name);
+    if (values.size() != model_.size(*planned.column))
+      throw InputError(std::string("the checkpoint's column ") + planned.column->name + " has " +
+                       std::to_string(values.size()) + " values, this specimen needs " +
+                       std::to_string(model_.size(*planned.column)));
+    std::copy(values.begin(), values.end(), model_.data(*planned.column));
+  }
+  for (std::size_t k = 0; k < effects_.size(); ++k)
+    if (!effects_[k]->save().empty()) effects_[k]->restore(find("effect." + plan_.effects[k].name));
+  initial_energy_ = find("initial_energy").at(0);
+  step_ = step;
+}
+
+}  // namespace solidem

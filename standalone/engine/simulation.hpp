@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_ENGINE_SIMULATION_HPP
+#define SOLIDEM_ENGINE_SIMULATION_HPP
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "effects/effect.hpp"
+#include "engine/plan.hpp"
+#include "engine/setup.hpp"
+
+namespace solidem {
+
+class Beams;
+class Conduction;
+struct ThermalProperties;
+
+/// The time step of a simulation and where it comes from.
+struct TimeStepChoice {
+  double value = 0;       ///< s
+  std::string criterion;  ///< what bounds it
+  double bound = 0;       ///< s, of the criterion
+  double limit = 0;       ///< s, beyond it the run diverges: 2/ω_max, or 2/largest decay rate
+  double ratio = 0;       ///< value / bound
+};
+
+/// One row of the history.
+struct HistoryRow {
+  std::int64_t step;
+  double time;
+  std::vector<std::pair<std::string, double>> values;
+};
+
+/// A specimen under the effects of a setup, step by step.
+class Simulation {
+ public:
+  /// Builds the columns and effects of the plan. `force`: accept a time step beyond the limit.
+  /// Throws InputError when the setup does not fit the specimen: an element without a material, a
+  /// region without elements, two grips that share elements, a time step beyond the limit.
+  Simulation(const Setup& setup, Specimen specimen, bool force = false);
+  ~Simulation();
+
+  /// Runs so many time steps.
+  void advance(std::int64_t steps);
+
+  /// Looks at the state; throws RunError when it is no longer finite.
+  HistoryRow observe() const;
+  /// The same, with what was seen.
+  HistoryRow observe(Observation& observation) const;
+
+  std::int64_t step() const { return step_; }
+  double time() const { return static_cast<double>(step_) * time_step_.value; }
+  const TimeStepChoice& time_step() const { return time_step_; }
+  /// Number of steps that the setup's run control asks for.
+  std::int64_t steps_to_run() const;
+
+  Model& model() { return model_; }
+  const Model& model() const { return model_; }
+  const Plan& plan() const { return plan_; }
+  const Setup& setup() const { return setup_; }
+  /// Elements that a region of the setup selects: "grip.NAME", "temperature.NAME", "gauge",
+  /// "sensor.NAME".
+  const std::map<std::string, std::vector<std::int32_t>>& selections() const { return selections_; }
+  /// Elements without a bond: free to move, with nothing to move them, and outside of all measures.
+  std::size_t unbonded() const { return unbonded_; }
+
+  /// Everything that is needed to go on exactly: dynamic columns and the effects' sums, by name.
+  std::map<std::string, std::vector<double>> save() const;
+  /// Goes on from what was saved at a step. Throws InputError when it does not fit.
+  void restore(std::int64_t step, const std::map<std::string, std::vector<double>>& saved);
+
+ private:
+  void add_motion(const std::vector<double>& density);
+  void add_heat(const ThermalProperties& properties);
+  void add_observers();
+  void choose_time_step(bool force);
+  std::vector<std::int32_t> select_some(const std::string& name, const Region& region);
+
+  Setup setup_;
+  std::size_t unbonded_ = 0;
+  std::map<std::string, std::vector<std::int32_t>> selections_;
+  Model model_;
+  Plan plan_;
+  TimeStepChoice time_step_;
+  std::int64_t step_ = 0;
+  std::vector<std::unique_ptr<Effect>> effects_;
+  std::vector<std::unique_ptr<Observer>> observers_;
+  Beams* beams_ = nullptr;
+  Conduction* conduction_ = nullptr;
+  double initial_energy_ = 0;
+};
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "engine/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace solidem {
+
+namespace {
+
+constexpr int iterations = 60;
+
+/// A start with a share in every mode, the same in every run.
+double pseudo_random(std::size_t k) {
+  const std::uint64_t mixed = (k + 1) * 0x9E3779B97F4A7C15ull;
+  return static_cast<double>((mixed ^ (mixed >> 29)) >> 40) / double(1 << 23) - 1;
+}
+
+}  // namespace
+
+double stable_time_step(Beams& beams, Model& model) {
+  const std::size_t elements = model.elements();
+  double* velocity = model.data(columns::velocity);
+  double* spin = model.data(columns::angular_velocity);
+  double* pose = model.data(columns::pose);
+  const double* inverse_mass = model.data(columns::inverse_mass);
+  const double* inverse_inertia = model.data(columns::inverse_inertia);
+  const std::vector<double> saved_pose(pose, pose + model.size(columns::pose));
+  const std::vector<double> saved_velocity(velocity, velocity + model.size(columns::velocity));
+  const std::vector<double> saved_spin(spin, spin + model.size(columns::angular_velocity));
+
+  // Displacements small enough for the law to be linear to about 1e-6, and far above round-off.
+  const double amplitude = 1e-5 * mean_radius(model.specimen());
+  std::vector<double> shape(6 * elements);
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    const bool turning = k % 6 >= 3;
+    shape[k] = amplitude * pseudo_random(k) / (turning ? model.specimen().radius[k / 6] : 1.0);
+  }
+
+  double squared_frequency = 0;
+  for (int n = 0; n < iterations; ++n) {
+    for (std::size_t i = 0; i < elements; ++i) {
+      const double* u = &shape[6 * i];
+      const Vector& rest = model.specimen().position[i];
+      double* row = pose + 8 * i;
+      row[0] = rest.x + u[0];
+      row[1] = rest.y + u[1];
+      row[2] = rest.z + u[2];
+      row[4] = std::sqrt(1 - 0.25 * (u[3] * u[3] + u[4] * u[4] + u[5] * u[5]));
+      row[5] = 0.5 * u[3];
+      row[6] = 0.5 * u[4];
+      row[7] = 0.5 * u[5];
+    }
+    std::fill(velocity, velocity + model.size(columns::velocity), 0.0);
+    std::fill(spin, spin + model.size(columns::angular_velocity), 0.0);
+    beams.advance(model, {0, 0, 1});  // the velocities become accelerations
+
+    double product = 0, square = 0, largest = 0;
+    for (std::size_t k = 0; k < shape.size(); ++k) {
+      const std::size_t i = k / 6;
+      const auto axis = static_cast<int>(k % 3);
+      const bool turning = k % 6 >= 3;
+      const double weight = 1 / (turning ? inverse_inertia[i] : inverse_mass[i]);
+      const double length = turning ? model.specimen().radius[i] : 1.0;
+      const double acceleration =
+          (turning ? spin : velocity)[Model::at(columns::velocity, i, axis)];
+      product -= weight * shape[k] * acceleration;
+      square += weight * shape[k] * shape[k];
+      shape[k] = acceleration;
+      largest = std::max(largest, std::fabs(acceleration) * length);
+    }
+    squared_frequency = product / square;
+    if (!(largest > 0)) break;
+    for (double& u : shape) u *= amplitude / largest;
+  }
+  std::copy(saved_pose.begin(), saved_pose.end(), pose);
+  std::copy(saved_velocity.begin(), saved_velocity.end(), velocity);
+  std::copy(saved_spin.begin(), saved_spin.end(), spin);
+  return squared_frequency > 0 ? 2 / std::sqrt(squared_frequency)
+                               : std::numeric_limits<double>::infinity();
+}
+
+double stable_time_step(Conduction& conduction, Model& model) {
+  const std::size_t elements = model.elements();
+  double* temperature = model.data(columns::temperature);
+  const double* next = model.next(columns::temperature);
+  const double* inverse_capacity = model.data(columns::inverse_heat_capacity);
+  const std::vector<double> saved(temperature, temperature + elements);
+  for (std::size_t i = 0; i < elements; ++i) temperature[i] = pseudo_random(i);
+  const double scale = conduction.time_step_criterion(model).value;
+  double decay = 0;
+  for (int n = 0; n < iterations && std::isfinite(scale); ++n) {
+    conduction.advance(model, {0, scale, scale});
+    double product = 0, square = 0, largest = 0;
+    for (std::size_t i = 0; i < elements; ++i) {
+      const double change = temperature[i] - next[i];
+      product += change * temperature[i] / inverse_capacity[i];
+      square += temperature[i] * temperature[i] / inverse_capacity[i];
+      largest = std::max(largest, std::fabs(change));
+      temperature[i] = change;
+    }
+    decay = product / square;
+    if (!(largest > 0)) break;
+    for (std::size_t i = 0; i < elements; ++i) temperature[i] /= largest;
+  }
+  std::copy(saved.begin(), saved.end(), temperature);
+  return decay > 0 ? 2 * scale / decay : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace solidem
