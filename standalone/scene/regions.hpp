@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_SCENE_REGIONS_HPP
+#define SOLIDEM_SCENE_REGIONS_HPP
+
+#include <map>
+#include <string>
+
+#include "model/region.hpp"
+#include "scene/section.hpp"
+
+namespace solidem {
+
+/// What `{ set = "name" }` may mean: an entry of the scene's [sets], else a set of its specimen
+/// file.
+struct NamedRegions {
+  std::map<std::string, Region> of_scene;
+  bool specimen_is_file = false;  ///< a packing made from a recipe has no sets of its own
+};
+
+/// {axis, side, depth | layers}, {lower, upper}, {set} or {all = true}. `named` must be filled by
+/// the time the rule reads. Sets of the specimen file stay to be found when the file is read.
+Rule region(Region& place, const NamedRegions& named);
+
+/// [sets]: a region for each name; `set` inside means a set of the specimen file.
+Rule sets_section(NamedRegions& named);
+
+}  // namespace solidem
+
+#endif

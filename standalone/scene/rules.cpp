@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "scene/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "model/error.hpp"
+
+namespace solidem {
+
+bool Range::contains(double value) const {
+  return (lower_included ? value >= lower : value > lower) &&
+         (upper_included ? value <= upper : value < upper);
+}
+
+std::string Range::text() const {
+  const bool bounded_below = std::isfinite(lower), bounded_above = std::isfinite(upper);
+  std::string words;
+  if (bounded_below && bounded_above && lower_included && upper_included)
+    return fmt::format(" from {:g} to {:g}", lower, upper);
+  if (bounded_below)
+    words += fmt::format(lower_included ? " of at least {:g}" : " above {:g}", lower);
+  if (bounded_below && bounded_above) words += " and";
+  if (bounded_above)
+    words += fmt::format(upper_included ? " of at most {:g}" : " below {:g}", upper);
+  return words;
+}
+
+std::string describe(const Dimension& dimension, const Range& range) {
+  std::string words = dimension.name + range.text();
+  // Zero is zero in every unit; other bounds need theirs.
+  const bool zero_only = (!std::isfinite(range.lower) || range.lower == 0) &&
+                         (!std::isfinite(range.upper) || range.upper == 0);
+  if (!zero_only || dimension.offset_is_allowed) words += std::string(" ") + dimension.unit;
+  return words + " such as \"" + dimension.example + "\"";
+}
+
+double read_quantity(const Value& value, const Dimension& dimension, const Range& range) {
+  const std::string expected = describe(dimension, range);
+  const toml::node& node = value.node();
+  if (node.is_number()) value.refuse("has no unit", expected);
+  if (!node.is_string()) value.refuse("not a quantity", expected);
+  double si = 0;
+  try {
+    si = to_si(node.as_string()->get(), dimension);
+  } catch (const InputError& error) {
+    value.refuse(error.what(), expected);
+  }
+  if (!range.contains(si))
+    value.refuse(fmt::format("{:g} {} is out of range", si, dimension.unit), expected);
+  return si;
+}
+
+double read_number(const Value& value, const Range& range) {
+  const std::string expected = "a number" + range.text();
+  if (value.node().is_string()) {
+    if (value.node().as_string()->get().find('%') == std::string::npos)
+      value.refuse("text", expected + ", without quotes");
+    return read_quantity(value, dimension::number, range);
+  }
+  const auto number = value.node().value<double>();
+  if (!number || !value.node().is_number()) value.refuse("not a number", expected);
+  if (!std::isfinite(*number)) value.refuse("not finite", expected);
+  if (!range.contains(*number)) value.refuse("out of range", expected);
+  return *number;
+}
+
+std::int64_t read_integer(const Value& value, std::int64_t lower, std::int64_t upper) {
+  const std::string expected = upper == std::numeric_limits<std::int64_t>::max()
+                                   ? fmt::format("an integer of at least {}", lower)
+                                   : fmt::format("an integer from {} to {}", lower, upper);
+  if (!value.node().is_integer()) value.refuse("not an integer", expected);
+  const std::int64_t number = value.node().as_integer()->get();
+  if (number < lower || number > upper) value.refuse("out of range", expected);
+  return number;
+}
+
+std::string read_text(const Value& value, const std::string& expected) {
+  if (!value.node().is_string()) value.refuse("not text", expected);
+  return value.node().as_string()->get();
+}
+
+Rule flag(bool& place) {
+  return {"true or false", [&place](const Value& value) {
+            if (!value.node().is_boolean()) value.refuse("neither true nor false", "true or false");
+            place = value.node().as_boolean()->get();
+          }};
+}
+
+Rule text(std::string& place) {
+  return {"text in quotes",
+          [&place](const Value& value) { place = read_text(value, "text in quotes"); }};
+}
+
+Rule name(std::string& place, std::set<std::string>& taken) {
+  const std::string expected = "a name of letters, digits, _ and -, different from the others";
+  return {expected, [&place, &taken, expected](const Value& value) {
+            place = read_text(value, expected);
+            const bool is_plain =
+                !place.empty() && place.find_first_not_of(
+                                      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                      "0123456789_-") == std::string::npos;
+            if (!is_plain) value.refuse("not a name", expected);
+            if (!taken.insert(place).second) value.refuse("the name is taken", expected);
+          }};
+}
+
+Rule path(std::string& place, const std::string& scene_file) {
+  const std::string expected = "the path of a file, relative to the folder of the scene";
+  return {expected, [&place, scene_file, expected](const Value& value) {
+            const std::string given = read_text(value, expected);
+            if (given.empty() || given.find('\0') != std::string::npos)
+              value.refuse("not a path", expected);
+            const auto full = std::filesystem::path(scene_file).parent_path() / given;
+            std::error_code error;
+            if (!std::filesystem::exists(full, error))
+              value.refuse("no such file (" + full.string() + ")", expected);
+            if (std::filesystem::is_directory(full, error)) value.refuse("a folder", expected);
+            place = full.string();
+          }};
+}
+
+Rule triple(const std::string& expected_entry,
+            const std::function<void(const Value& entry, int axis)>& read_entry) {
+  const std::string expected = "three entries [x, y, z], each " + expected_entry;
+  return {expected, [expected, read_entry](const Value& value) {
+            const std::vector<Value> entries = value.entries(3, expected);
+            for (int k = 0; k < 3; ++k) read_entry(entries[static_cast<std::size_t>(k)], k);
+          }};
+}
+
+Rule vector(Vector& place, const Dimension& dimension, const Range& range) {
+  return triple(describe(dimension, range), [&place, dimension, range](const Value& entry, int k) {
+    component(place, k) = read_quantity(entry, dimension, range);
+  });
+}
+
+namespace {
+
+Rule quantities(std::vector<double>& place, const Dimension& dimension, const Range& range) {
+  const std::string expected = "an array, each entry " + describe(dimension, range);
+  return {expected, [&place, dimension, range, expected](const Value& value) {
+            for (const Value& entry : value.entries(-1, expected))
+              place.push_back(read_quantity(entry, dimension, range));
+          }};
+}
+
+TimeFunction read_table(const Section& section, const Dimension& dimension, const Range& range) {
+  TimeFunction function;
+  section.read({must_have("time", quantities(function.time, dimension::time, anything)),
+                must_have("value", quantities(function.value, dimension, range))},
+               "a function of time by a table");
+  if (function.time.empty()) section.refuse("time", "empty", "at least one time");
+  if (function.value.size() != function.time.size())
+    section.refuse("value", fmt::format("{} values", function.value.size()),
+                   fmt::format("as many as times, {}", function.time.size()));
+  for (std::size_t k = 1; k < function.time.size(); ++k)
+    if (function.time[k] <= function.time[k - 1])
+      section.refuse("time", fmt::format("entry {} is not later than entry {}", k, k - 1),
+                     "increasing times");
+  return function;
+}
+
+TimeFunction read_sine(const Section& section, const Dimension& dimension, const Range& range) {
+  // An amplitude of "10 °C" would be 283.15 K: a difference of temperatures has no offset.
+  const Dimension swing =
+      dimension.offset_is_allowed ? dimension::temperature_difference : dimension;
+  TimeFunction function = TimeFunction::constant(0);
+  section.read(
+      {may_have("mean", quantity(function.value[0], dimension)),
+       must_have("amplitude", quantity(function.amplitude, swing)),
+       must_have("frequency", quantity(function.frequency, dimension::frequency, positive)),
+       may_have("phase", quantity(function.phase, dimension::angle))},
+      "a function of time by a sine");
+  const double reach = std::abs(function.amplitude);
+  for (const double extreme : {function.value[0] - reach, function.value[0] + reach})
+    if (!range.contains(extreme))
+      section.refuse(fmt::format("reaches {:g} {}", extreme, dimension.unit),
+                     "values that are " + describe(dimension, range));
+  return function;
+}
+
+}  // namespace
+
+TimeFunction read_function(const Value& value, const Dimension& dimension, const Range& range) {
+  if (!value.node().is_table())
+    return TimeFunction::constant(read_quantity(value, dimension, range));
+  const Section section(value);
+  if (section.has("time") || section.has("value")) return read_table(section, dimension, range);
+  for (const char* key : {"mean", "amplitude", "frequency", "phase"})
+    if (section.has(key)) return read_sine(section, dimension, range);
+  value.refuse("no function of time", std::string(dimension.name) +
+                                          ", {time, value} or {mean, amplitude, frequency, phase}");
+}
+
+}  // namespace solidem

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The kinds of values a scene is made of. Each function makes the rule that reads one kind into a
+// place; an std::optional is a place too.
+#ifndef SOLIDEM_SCENE_RULES_HPP
+#define SOLIDEM_SCENE_RULES_HPP
+
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/specimen.hpp"
+#include "model/time_function.hpp"
+#include "scene/nearest_name.hpp"
+#include "scene/section.hpp"
+#include "scene/units.hpp"
+
+namespace solidem {
+
+/// The values that make sense, in SI units.
+struct Range {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_included = true, upper_included = true;
+
+  bool contains(double value) const;
+  std::string text() const;  ///< " above 0", " from 0 to 0.5"; empty when there is no bound
+};
+
+inline constexpr Range anything{};
+inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), false, true};
+inline constexpr Range not_negative{0};
+
+/// What a quantity must be, in words.
+std::string describe(const Dimension& dimension, const Range& range);
+
+/// A string with a unit, "73 GPa", in SI.
+double read_quantity(const Value& value, const Dimension& dimension, const Range& range);
+
+/// A bare number; or a share such as "5 %".
+double read_number(const Value& value, const Range& range);
+
+std::int64_t read_integer(const Value& value, std::int64_t lower, std::int64_t upper);
+
+std::string read_text(const Value& value, const std::string& expected);
+
+/// A constant quantity, {time, value} or {mean, amplitude, frequency, phase}; every value the
+/// function takes lies in the range.
+TimeFunction read_function(const Value& value, const Dimension& dimension, const Range& range);
+
+template <class Place>
+Rule quantity(Place& place, const Dimension& dimension, const Range& range = anything) {
+  return {describe(dimension, range), [&place, dimension, range](const Value& value) {
+            place = read_quantity(value, dimension, range);
+          }};
+}
+
+template <class Place>
+Rule number(Place& place, const Range& range = anything) {
+  return {"a number" + range.text(),
+          [&place, range](const Value& value) { place = read_number(value, range); }};
+}
+
+template <class Place>
+Rule integer(Place& place, std::int64_t lower,
+             std::int64_t upper = std::numeric_limits<std::int64_t>::max()) {
+  return {"an integer from " + std::to_string(lower), [&place, lower, upper](const Value& value) {
+            place = static_cast<Place>(read_integer(value, lower, upper));
+          }};
+}
+
+Rule flag(bool& place);
+
+/// Text without restriction.
+Rule text(std::string& place);
+
+/// A name that becomes part of column and group names: letters, digits, _ and -; each once.
+Rule name(std::string& place, std::set<std::string>& taken);
+
+/// A path, relative to the folder of the scene file.
+Rule path(std::string& place, const std::string& scene_file);
+
+inline Rule function(TimeFunction& place, const Dimension& dimension,
+                     const Range& range = anything) {
+  return {describe(dimension, range) + ", or a function of time",
+          [&place, dimension, range](const Value& value) {
+            place = read_function(value, dimension, range);
+          }};
+}
+
+/// One of several words.
+template <class Place>
+Rule choice(Place& place, const std::vector<std::pair<std::string, Place>>& words) {
+  std::vector<std::string> names;
+  for (const auto& word : words) names.push_back("\"" + word.first + "\"");
+  const std::string expected = (names.size() > 1 ? "one of " : "") + join(names);
+  return {expected, [&place, words, names, expected](const Value& value) {
+            const std::string given = read_text(value, expected);
+            for (const auto& word : words) {
+              if (word.first != given) continue;
+              place = word.second;
+              return;
+            }
+            value.refuse("unknown" + did_you_mean("\"" + given + "\"", names), expected);
+          }};
+}
+
+/// "x", "y" or "z" as 0, 1 or 2.
+inline Rule axis(int& place) {
+  return choice<int>(place, {{"x", 0}, {"y", 1}, {"z", 2}});
+}
+
+/// Three entries along x, y, z; `read_entry` reads the one of an axis.
+Rule triple(const std::string& expected_entry,
+            const std::function<void(const Value& entry, int axis)>& read_entry);
+
+/// Three quantities.
+Rule vector(Vector& place, const Dimension& dimension, const Range& range = anything);
+
+/// The component of a vector along 0, 1, 2.
+inline double& component(Vector& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The sections of a scene file: one rule each. What they mean is written in docs/scene.md.
+#ifndef SOLIDEM_SCENE_SECTIONS_HPP
+#define SOLIDEM_SCENE_SECTIONS_HPP
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/setup.hpp"
+#include "scene/regions.hpp"
+#include "scene/section.hpp"
+#include "specimen/recipe.hpp"
+
+namespace solidem {
+
+/// What a scene simulates; some keys make sense with one effect only.
+struct NamedEffects {
+  bool conduction = false;
+  bool beams = false;
+};
+
+// read_specimen.cpp
+Rule specimen_section(SpecimenRecipe& recipe, const std::string& scene_file);
+Rule bonds_section(std::optional<double>& tolerance);
+
+// read_effects.cpp
+Rule material_section(std::vector<Material>& materials, const NamedRegions& named,
+                      NamedEffects effects);
+Rule conduction_section(std::optional<ConductionParameters>& conduction);
+Rule beams_section(std::optional<BeamParameters>& beams);
+
+// read_loads.cpp
+Rule grips_section(std::vector<GripParameters>& grips, const NamedRegions& named);
+Rule temperatures_section(std::vector<ImposedTemperatureParameters>& temperatures,
+                          const NamedRegions& named);
+Rule initial_velocities_section(std::vector<InitialVelocity>& velocities,
+                                const NamedRegions& named);
+
+// read_run.cpp
+Rule sensors_section(std::vector<Sensor>& sensors, NamedEffects effects);
+Rule gauge_section(std::optional<Gauge>& gauge);
+Rule run_section(RunControl& run);
+Rule output_section(OutputControl& output);
+
+}  // namespace solidem
+
+#endif
