@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Copyright (C) solidem developers
+//
+// This program is free software: you can redistribute it and/or modify it under the terms of the
+// GNU General Public License as published by the Free Software Foundation, either version 2 of the
+// License, or (at your option) any later version. It comes with NO WARRANTY.
+//
+// Contributing author: solidem developers
+//
+// Adds the styles of ../src to a LIGGGHTS that is already built, as a shared library. The program,
+// or the preload, that holds this file comes before the library in the dynamic linker's order, so
+// its Force::new_bond and Modify::add_fix are the ones called; they know the added styles and hand
+// everything else to the library's own.
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "bond_solidem_beam.h"
+#include "fix_nve_solidem.h"
+#include "fix_solidem_bonds.h"
+#include "fix_solidem_conduction.h"
+#include "fix_solidem_temperature.h"
+#include "force.h"
+#include "modify.h"
+
+namespace LAMMPS_NS {
+
+namespace {
+
+// The library's function of the same mangled name as ours.
+void* library_function(const char* symbol) {
+  void* found = dlsym(RTLD_NEXT, symbol);
+  if (found) return found;
+  std::fprintf(stderr, "solidem: this LIGGGHTS has no %s; is it version 3.8.0?\n", symbol);
+  std::abort();
+}
+
+// Modify::fix_map is private; an explicit instantiation may name a private member all the same.
+template <auto Member>
+struct PrivateMember {
+  friend auto& fix_map_of(Modify& modify) { return *(modify.*Member); }
+};
+auto& fix_map_of(Modify& modify);
+template struct PrivateMember<&Modify::fix_map>;
+
+template <class Style>
+Fix* create_fix(LAMMPS* lmp, int narg, char** arg) {
+  return new Style(lmp, narg, arg);
+}
+
+}  // namespace
+
+Bond* Force::new_bond(const char* style, const char* suffix, int& suffix_used) {
+  if (std::strcmp(style, "solidem/beam") == 0) {
+    suffix_used = 0;
+    return new BondSolidemBeam(lmp);
+  }
+  typedef Bond* (*NewBond)(Force*, const char*, const char*, int&);
+  static const NewBond new_bond =
+      reinterpret_cast<NewBond>(library_function("_ZN9LAMMPS_NS5Force8new_bondEPKcS2_Ri"));
+  return new_bond(this, style, suffix, suffix_used);
+}
+
+void Modify::add_fix(int narg, char** arg, char* suffix) {
+  auto& fixes = fix_map_of(*this);
+  fixes["nve/solidem"] = &create_fix<FixNVESolidem>;
+  fixes["solidem/bonds"] = &create_fix<FixSolidemBonds>;
+  fixes["solidem/conduction"] = &create_fix<FixSolidemConduction>;
+  fixes["solidem/temperature"] = &create_fix<FixSolidemTemperature>;
+  typedef void (*AddFix)(Modify*, int, char**, char*);
+  static const AddFix add_fix =
+      reinterpret_cast<AddFix>(library_function("_ZN9LAMMPS_NS6Modify7add_fixEiPPcS1_"));
+  add_fix(this, narg, arg, suffix);
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Copyright (C) solidem developers
+//
+// This program is free software: you can redistribute it and/or modify it under the terms of the
+// GNU General Public License as published by the Free Software Foundation, either version 2 of the
+// License, or (at your option) any later version. It comes with NO WARRANTY.
+//
+// Contributing author: solidem developers
+#include "fix_solidem_temperature.h"
+
+#include <string.h>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "fix_solidem_conduction.h"
+#include "force.h"
+#include "input.h"
+#include "modify.h"
+#include "update.h"
+#include "variable.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+FixSolidemTemperature::FixSolidemTemperature(LAMMPS* lmp, int narg, char** arg)
+    : Fix(lmp, narg, arg), value(0.0), heat_supplied(0.0), conduction(NULL), temperature(NULL) {
+  if (narg != 4) error->fix_error(FLERR, this, "takes one value: a temperature or v_NAME");
+  if (strncmp(arg[3], "v_", 2) == 0)
+    variable = arg[3] + 2;
+  else
+    value = force->numeric(FLERR, arg[3]);
+  nevery = 1;
+  scalar_flag = 1;
+  global_freq = 1;
+  extscalar = 1;
+  restart_global = 1;
+}
+
+int FixSolidemTemperature::setmask() {
+  return END_OF_STEP;
+}
+
+void FixSolidemTemperature::init() {
+  conduction =
+      dynamic_cast<FixSolidemConduction*>(modify->find_fix_style_strict("solidem/conduction", 0));
+  if (!conduction) error->fix_error(FLERR, this, "needs a 'fix ID all solidem/conduction'");
+  temperature = static_cast<FixPropertyAtom*>(
+      modify->find_fix_property("Temp", "property/atom", "scalar", 0, 0, style));
+  if (variable.empty()) return;
+  const int found = input->variable->find(const_cast<char*>(variable.c_str()));
+  if (found < 0) error->fix_error(FLERR, this, ("no variable named " + variable).c_str());
+  if (!input->variable->equalstyle(found))
+    error->fix_error(FLERR, this, ("variable " + variable + " is not of style equal").c_str());
+}
+
+// Heat counts from the first step on: what the start takes is the initial condition's.
+void FixSolidemTemperature::setup(int) {
+  impose();
+}
+
+void FixSolidemTemperature::end_of_step() {
+  heat_supplied += impose();
+}
+
+double FixSolidemTemperature::impose() {
+  double target = value;
+  if (!variable.empty()) {
+    modify->clearstep_compute();
+    target =
+        input->variable->compute_equal(input->variable->find(const_cast<char*>(variable.c_str())));
+    modify->addstep_compute_all(update->ntimestep + 1);
+  }
+  double heat = 0.0, total;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    heat += conduction->heat_capacity(i) * (target - temperature->vector_atom[i]);
+    temperature->vector_atom[i] = target;
+  }
+  MPI_Allreduce(&heat, &total, 1, MPI_DOUBLE, MPI_SUM, world);
+  return total;
+}
+
+/* ----------------------------------------------------------------------
+   heat supplied to the group so far, J
+------------------------------------------------------------------------- */
+
+double FixSolidemTemperature::compute_scalar() {
+  return heat_supplied;
+}
+
+void FixSolidemTemperature::write_restart(FILE* fp) {
+  if (comm->me != 0) return;
+  const int bytes = sizeof(double);
+  fwrite(&bytes, sizeof(int), 1, fp);
+  fwrite(&heat_supplied, sizeof(double), 1, fp);
+}
+
+void FixSolidemTemperature::restart(char* buffer) {
+  memcpy(&heat_supplied, buffer, sizeof(double));
+}
