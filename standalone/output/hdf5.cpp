@@ -27,10 +27,15 @@ Handle owned(hid_t id, Close close) {
 
 // No file locks: ParaView or a script may hold a file open while a run adds to it. Readers see what
 // was flushed last.
-Handle without_locks() {
-  Handle list = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_file_locking(*list, false, true);
-  return list;
+// (Property lists live on: closing one would wipe the reason of a failure that is still to be
+// told.)
+hid_t without_locks() {
+  static const Handle list = [] {
+    Handle made = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_file_locking(*made, false, true);
+    return made;
+  }();
+  return *list;
 }
 
 // Errors are told by exceptions, not by the library's own print on the terminal.
@@ -86,10 +91,13 @@ Handle dataspace(const std::vector<std::size_t>& shape) {
                H5Sclose);
 }
 
-Handle parents_too() {
-  Handle list = owned(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(*list, 1);
-  return list;
+hid_t parents_too() {
+  static const Handle list = [] {
+    Handle made = owned(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    H5Pset_create_intermediate_group(*made, 1);
+    return made;
+  }();
+  return *list;
 }
 
 std::string as_text(const std::vector<std::size_t>& shape) {
@@ -177,7 +185,7 @@ Hdf5Group Hdf5Group::group(const std::string& name) const {
 
 Hdf5Group Hdf5Group::make_group(const std::string& name) const {
   Handle handle =
-      owned(H5Gcreate2(id(), name.c_str(), *parents_too(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+      owned(H5Gcreate2(id(), name.c_str(), parents_too(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   if (*handle < 0) fail_writing(name);
   return {file_, handle, where_ + (where_.back() == '/' ? "" : "/") + name};
 }
@@ -219,7 +227,7 @@ template <class T>
 void Hdf5Group::write(const std::string& name, const T* values,
                       const std::vector<std::size_t>& shape) const {
   const Handle space = dataspace(shape);
-  const Handle set = owned(H5Dcreate2(id(), name.c_str(), memory_type<T>(), *space, *parents_too(),
+  const Handle set = owned(H5Dcreate2(id(), name.c_str(), memory_type<T>(), *space, parents_too(),
                                       H5P_DEFAULT, H5P_DEFAULT),
                            H5Dclose);
   if (*set < 0) fail_writing(name);
@@ -327,7 +335,7 @@ Hdf5File Hdf5File::open(const std::string& path) {
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
   if (std::filesystem::is_directory(path, error))
     throw InputError(path + ": is a directory, expected an HDF5 file");
-  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, *without_locks()), H5Fclose);
+  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, without_locks()), H5Fclose);
   if (*file >= 0) return {file, path};
   const std::string why = reason();
   if (why.find("truncated") != std::string::npos)
@@ -338,7 +346,7 @@ Hdf5File Hdf5File::open(const std::string& path) {
 
 Hdf5File Hdf5File::open_for_writing(const std::string& path) {
   silence();
-  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, *without_locks()), H5Fclose);
+  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, without_locks()), H5Fclose);
   if (*file < 0) throw RunError("cannot open " + path + " to add to it: " + reason());
   return {file, path};
 }
@@ -346,7 +354,7 @@ Hdf5File Hdf5File::open_for_writing(const std::string& path) {
 Hdf5File Hdf5File::create(const std::string& path) {
   silence();
   const Handle file =
-      owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, *without_locks()), H5Fclose);
+      owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, without_locks()), H5Fclose);
   if (*file < 0) throw RunError("cannot write " + path + ": " + reason());
   return {file, path};
 }

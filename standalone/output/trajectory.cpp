@@ -82,14 +82,18 @@ Hdf5File start(const std::string& path, const Specimen& specimen) {
   return Hdf5File::open_for_writing(path);
 }
 
-Hdf5File reopen(const std::string& path) {
-  const Hdf5File file =
-      Hdf5File::open(path);  // tells what is wrong with a file that is no trajectory
+/// Tells what is wrong with a file that is no trajectory.
+void insist_on_trajectory(const std::string& path) {
+  const Hdf5File file = Hdf5File::open(path);
   if (!file.has_attribute("format") || file.text_attribute("format") != format_name)
     throw InputError(path + ": is no trajectory of solidem");
   if (const std::int64_t version = file.integer_attribute("version"); version != format_version)
     throw InputError(fmt::format("{}: is a trajectory of version {}, expected version {}", path,
                                  version, format_version));
+}
+
+Hdf5File reopen(const std::string& path) {
+  insist_on_trajectory(path);
   return Hdf5File::open_for_writing(path);
 }
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "output/history.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "conditions.hpp"
+#include "model/error.hpp"
+
+namespace solidem {
+namespace {
+
+const std::vector<std::string> columns{"kinetic_energy", "grip.left.force_x"};
+
+TEST(History, names_its_columns_and_keeps_every_bit) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "history.csv";
+  const std::vector<double> values{0.1, -1.0 / 3.0};
+  HistoryWriter history(path, columns);
+  history.write_row(12345678901, 1e-9 / 3, values);
+  history.write_row(12345678902, 5e-324, {std::numeric_limits<double>::max(), std::nan("")});
+
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  EXPECT_EQ(line, "step,time,kinetic_energy,grip.left.force_x");
+  std::int64_t step = 0;
+  char comma = 0;
+  double time = 0, first = 0, second = 0;
+  file >> step >> comma >> time >> comma >> first >> comma >> second;
+  EXPECT_EQ(step, 12345678901);
+  EXPECT_EQ(time, 1e-9 / 3);
+  EXPECT_EQ(first, values[0]);
+  EXPECT_EQ(second, values[1]);
+}
+
+TEST(History, has_each_row_on_file_when_it_was_written) {
+  const TemporaryDirectory directory;
+  HistoryWriter history(directory / "history.csv", {});
+  history.write_row(0, 0, {});
+  EXPECT_EQ(content_of(directory / "history.csv"), "step,time\n0,0\n");
+  history.write_row(10, 0.5, {});
+  EXPECT_EQ(content_of(directory / "history.csv"), "step,time\n0,0\n10,0.5\n");
+  EXPECT_EQ(history.last_step(), 10);
+}
+
+TEST(History, resumed_is_the_same_as_one_that_never_stopped) {
+  const TemporaryDirectory directory;
+  const auto run = [](HistoryWriter& history, int from, int to) {
+    for (int step = from; step <= to; step += 5)
+      history.write_row(step, step * 1e-3, {std::sin(step), std::cos(step)});
+  };
+  HistoryWriter whole(directory / "whole.csv", columns);
+  run(whole, 0, 100);
+  {
+    HistoryWriter stopped(directory / "history.csv", columns);
+    run(stopped, 0, 70);  // 20 steps beyond the checkpoint
+  }
+  std::ofstream(directory / "history.csv", std::ios::app) << "75,0.07";  // killed within a row
+  HistoryWriter resumed = HistoryWriter::resume(directory / "history.csv", columns, 50);
+  EXPECT_EQ(resumed.last_step(), 50);
+  run(resumed, 55, 100);
+  EXPECT_EQ(content_of(directory / "history.csv"), content_of(directory / "whole.csv"));
+}
+
+TEST(History, does_not_go_on_with_another_file) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "history.csv";
+  EXPECT_EQ(message_of<InputError>([&] { HistoryWriter::resume(path, columns, 0); }),
+            "cannot resume the history " + path + ": no such file");
+  HistoryWriter(path, {"kinetic_energy"}).write_row(0, 0, {1});
+  const std::string before = content_of(path);
+  const std::string message =
+      message_of<InputError>([&] { HistoryWriter::resume(path, columns, 0); });
+  EXPECT_TRUE(contains(message, "\"step,time,kinetic_energy\"")) << message;
+  EXPECT_TRUE(contains(message, "\"step,time,kinetic_energy,grip.left.force_x\"")) << message;
+  std::ofstream(path, std::ios::app) << "nonsense\n";
+  EXPECT_TRUE(
+      contains(message_of<InputError>([&] { HistoryWriter::resume(path, {"kinetic_energy"}, 0); }),
+               "line 3 does not begin with a step: \"nonsense\""));
+  EXPECT_EQ(content_of(path), before + "nonsense\n");
+}
+
+TEST(History, refuses_names_that_would_break_the_table) {
+  const TemporaryDirectory directory;
+  for (const std::string name : {"", "a,b", "a\"b", "a\nb", "time"})
+    EXPECT_NE(message_of<InputError>([&] {
+                HistoryWriter(directory / "h.csv", {"x", name});
+              }),
+              "")
+        << name;
+  EXPECT_EQ(directory.names().size(), 0u);
+}
+
+TEST(History, on_a_full_disk_ends_with_its_last_whole_row) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "history.csv";
+  HistoryWriter history(path, columns);
+  std::string message;
+  std::int64_t step = 0;
+  {
+    const FileSizeLimit limit(1000);
+    message = message_of<RunError>([&] {
+      for (; step < 1000; ++step) history.write_row(step, 1.0 / 3, {1.0 / 7, 1.0 / 11});
+    });
+  }
+  ASSERT_LT(step, 1000);
+  EXPECT_TRUE(contains(message, path)) << message;
+  EXPECT_TRUE(contains(message, "File too large")) << message;
+  EXPECT_TRUE(contains(message, "the rows up to step " + std::to_string(step - 1) + " are safe"));
+  const std::string content = content_of(path);
+  EXPECT_EQ(content.back(), '\n');
+  EXPECT_EQ(std::count(content.begin(), content.end(), '\n'), step + 1);
+  history.write_row(step, 0, {0, 0});  // there is room again: the table goes on
+  EXPECT_EQ(content_of(path), content + std::to_string(step) + ",0,0,0\n");
+}
+
+TEST(History, tells_that_the_device_is_full) {
+  EXPECT_EQ(message_of<RunError>([] { HistoryWriter("/dev/full", columns); }),
+            "cannot write /dev/full: No space left on device");
+}
+
+}  // namespace
+}  // namespace solidem
