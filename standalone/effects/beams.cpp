@@ -191,10 +191,11 @@ void Beams::observe(const Model& model, Observation& observation) const {
   motion.kinetic_energy = 0;
   for (std::size_t i = 0; i < elements; ++i) {
     const std::size_t at = Model::at(columns::velocity, i);
-    motion.velocity[i] =
-        lanes_vector(velocity, at) + (observation.behind * inverse_mass[i]) * motion.force[i];
-    motion.angular_velocity[i] =
-        lanes_vector(spin, at) + (observation.behind * inverse_inertia[i]) * motion.moment[i];
+    Vector& v = motion.velocity[i];
+    Vector& w = motion.angular_velocity[i];
+    v = lanes_vector(velocity, at) + (observation.behind * inverse_mass[i]) * motion.force[i];
+    w = lanes_vector(spin, at) + (observation.behind * inverse_inertia[i]) * motion.moment[i];
+    motion.kinetic_energy += 0.5 * (dot(v, v) / inverse_mass[i] + dot(w, w) / inverse_inertia[i]);
   }
 }
 
