@@ -16,7 +16,7 @@ constexpr double seconds_between_lines = 2.0;
 constexpr int lines_in_a_run = 20;
 constexpr int bar_width = 30;
 
-double seconds(Progress::Clock::duration duration) {
+double seconds(ProgressBar::Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
@@ -32,11 +32,11 @@ std::string duration_text(double seconds) {
   return fmt::format("{} d {:02} h", total / day, total % day / hour);
 }
 
-Progress::Style Progress::style_for(std::FILE* stream) {
+ProgressBar::Style ProgressBar::style_for(std::FILE* stream) {
   return ::isatty(::fileno(stream)) != 0 ? Style::bar : Style::lines;
 }
 
-Progress::Progress(std::int64_t first_step, std::int64_t last_step, Style style, std::FILE* stream)
+ProgressBar::ProgressBar(std::int64_t first_step, std::int64_t last_step, Style style, std::FILE* stream)
     : first_step_(first_step),
       last_step_(last_step),
       style_(style),
@@ -44,11 +44,11 @@ Progress::Progress(std::int64_t first_step, std::int64_t last_step, Style style,
       start_(Clock::now()),
       printed_(start_) {}
 
-Progress::~Progress() {
+ProgressBar::~ProgressBar() {
   if (bar_shown_) std::fputc('\n', stream_);
 }
 
-void Progress::update(std::int64_t step, Clock::time_point now) {
+void ProgressBar::update(std::int64_t step, Clock::time_point now) {
   if (style_ == Style::quiet || last_step_ <= first_step_) return;
   const bool at_end = step >= last_step_;
   const double pause = style_ == Style::bar ? seconds_between_bars : seconds_between_lines;
@@ -69,7 +69,7 @@ void Progress::update(std::int64_t step, Clock::time_point now) {
   printed_ = now;
 }
 
-void Progress::print_bar(std::int64_t step, double seconds_left) {
+void ProgressBar::print_bar(std::int64_t step, double seconds_left) {
   const double share =
       std::clamp(static_cast<double>(step) / static_cast<double>(last_step_), 0.0, 1.0);
   const int filled = static_cast<int>(bar_width * share);
@@ -80,7 +80,7 @@ void Progress::print_bar(std::int64_t step, double seconds_left) {
   bar_shown_ = true;
 }
 
-void Progress::print_line(std::int64_t step, double seconds_left) {
+void ProgressBar::print_line(std::int64_t step, double seconds_left) {
   const double share = static_cast<double>(step) / static_cast<double>(last_step_);
   fmt::print(stream_, "{:.0f} %: step {} of {}, {} left\n", std::floor(100 * share), step,
              last_step_, duration_text(seconds_left));

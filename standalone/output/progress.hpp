@@ -15,7 +15,7 @@ std::string duration_text(double seconds);
 
 /// Tells how far a run is and how long it will still take: a bar that redraws itself on a terminal,
 /// elsewhere a plain line now and then, at most 20 a run.
-class Progress {
+class ProgressBar {
  public:
   using Clock = std::chrono::steady_clock;
   enum class Style { quiet, lines, bar };
@@ -24,13 +24,13 @@ class Progress {
   static Style style_for(std::FILE* stream);
 
   /// A run from first_step (more than 0 after a resume) to last_step.
-  Progress(std::int64_t first_step, std::int64_t last_step, Style style,
+  ProgressBar(std::int64_t first_step, std::int64_t last_step, Style style,
            std::FILE* stream = stderr);
 
   /// Ends the line of a bar.
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
 
   /// Says that `step` is done. Cheap; prints seldom. `now` is for tests.
   void update(std::int64_t step, Clock::time_point now = Clock::now());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 #include "model/error.hpp"
 #include "output/disk.hpp"
@@ -56,7 +57,7 @@ std::size_t lines_to_draw(const Specimen& specimen) {
 }
 
 std::uint64_t bytes_at_rest(const Specimen& specimen) {
-  return specimen.size() * 4 * sizeof(double) + specimen.bonds.size() * sizeof(Pair) +
+  return specimen.size() * 5 * sizeof(double) + specimen.bonds.size() * sizeof(Pair) +
          room_for_structure;
 }
 
@@ -68,6 +69,12 @@ void write_rest(const std::string& path, const Specimen& specimen) {
   file.write("elements/radius", specimen.radius);
   if (!specimen.bonds.empty())
     file.write("bonds/pairs", &specimen.bonds.front().i, {specimen.bonds.size(), 2});
+  if (lines_to_draw(specimen) == 0) {
+    // ParaView's newer readers want the points named one by one.
+    std::vector<std::int32_t> index(specimen.size());
+    std::iota(index.begin(), index.end(), 0);
+    file.write("elements/index", index);
+  }
   file.make_group("frames");
   file.flush();
 }
@@ -209,8 +216,8 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
   else
     text += fmt::format(
         "        <Topology TopologyType=\"Polyvertex\" NodesPerElement=\"1\" "
-        "NumberOfElements=\"{}\"/>\n",
-        elements_);
+        "NumberOfElements=\"{}\">{}</Topology>\n",
+        elements_, item("elements/index", {elements_}, integer));
 
   std::string place = "elements/position";
   std::string attributes = fmt::format(

@@ -3,8 +3,10 @@
 // Trajectories: the whole body at a few moments, as HDF5 with an XDMF index beside it.
 //
 //   trajectory.h5    /elements/position (N,3), /elements/radius (N)          at rest, m
-//                    /bonds/pairs (B,2)                                      absent without bonds
-//                    /frames/000000 ...  attributes step, time; one dataset (N) or (N,c) per field
+//                    /elements/index (N)                                     only if points are
+//                    drawn /bonds/pairs (B,2)                                      absent without
+//                    bonds /frames/000000 ...  attributes step, time; one dataset (N) or (N,c) per
+//                    field
 //   trajectory.xdmf  what ParaView opens: one grid for each frame, lines along the bonds (points
 //   where
 //                    there are none or the body is periodic), every field and the radius at the
