@@ -11,12 +11,12 @@ namespace {
 using std::chrono::milliseconds;
 
 /// What a run of `steps` steps, each lasting so long, prints.
-std::string printed(Progress::Style style, std::int64_t first, std::int64_t last,
+std::string printed(ProgressBar::Style style, std::int64_t first, std::int64_t last,
                     milliseconds step_time) {
   std::FILE* const stream = std::tmpfile();
   {
-    Progress progress(first, last, style, stream);
-    Progress::Clock::time_point now = Progress::Clock::now();
+    ProgressBar progress(first, last, style, stream);
+    ProgressBar::Clock::time_point now = ProgressBar::Clock::now();
     for (std::int64_t step = first; step <= last; ++step, now += step_time)
       progress.update(step, now);
   }
@@ -33,7 +33,7 @@ auto lines_in(const std::string& text) {
 }
 
 TEST(Progress, prints_few_plain_lines_however_long_the_run) {
-  const std::string text = printed(Progress::Style::lines, 0, 100000, milliseconds(100));
+  const std::string text = printed(ProgressBar::Style::lines, 0, 100000, milliseconds(100));
   EXPECT_GT(lines_in(text), 10);
   EXPECT_LE(lines_in(text), 20);
   EXPECT_EQ(text.find('\r'), std::string::npos);
@@ -41,23 +41,23 @@ TEST(Progress, prints_few_plain_lines_however_long_the_run) {
 
 TEST(Progress, tells_the_time_left) {
   // 1000 steps of a second: at step 500 another 500 s are left.
-  const std::string text = printed(Progress::Style::lines, 0, 1000, milliseconds(1000));
+  const std::string text = printed(ProgressBar::Style::lines, 0, 1000, milliseconds(1000));
   EXPECT_TRUE(contains(text, "50 %: step 500 of 1000, 8 min 20 s left\n")) << text;
 }
 
 TEST(Progress, of_a_resumed_run_counts_only_its_own_time) {
-  const std::string text = printed(Progress::Style::lines, 800, 1000, milliseconds(1000));
+  const std::string text = printed(ProgressBar::Style::lines, 800, 1000, milliseconds(1000));
   EXPECT_TRUE(contains(text, "90 %: step 900 of 1000, 1 min 40 s left\n")) << text;
 }
 
 TEST(Progress, says_nothing_when_quiet_or_when_the_run_is_short) {
-  EXPECT_EQ(printed(Progress::Style::quiet, 0, 1000, milliseconds(1000)), "");
-  EXPECT_EQ(printed(Progress::Style::lines, 0, 100, milliseconds(1)), "");
-  EXPECT_EQ(printed(Progress::Style::bar, 0, 100, milliseconds(1)), "");
+  EXPECT_EQ(printed(ProgressBar::Style::quiet, 0, 1000, milliseconds(1000)), "");
+  EXPECT_EQ(printed(ProgressBar::Style::lines, 0, 100, milliseconds(1)), "");
+  EXPECT_EQ(printed(ProgressBar::Style::bar, 0, 100, milliseconds(1)), "");
 }
 
 TEST(Progress, bar_redraws_one_line_and_ends_full) {
-  const std::string text = printed(Progress::Style::bar, 0, 1000, milliseconds(50));
+  const std::string text = printed(ProgressBar::Style::bar, 0, 1000, milliseconds(50));
   EXPECT_EQ(lines_in(text), 1);
   EXPECT_LE(std::count(text.begin(), text.end(), '\r'), 1 + 1000 * 50 / 200);
   const std::string last = text.substr(text.rfind('\r'));
@@ -66,7 +66,7 @@ TEST(Progress, bar_redraws_one_line_and_ends_full) {
 
 TEST(Progress, draws_a_bar_on_terminals_only) {
   std::FILE* const file = std::tmpfile();
-  EXPECT_EQ(Progress::style_for(file), Progress::Style::lines);
+  EXPECT_EQ(ProgressBar::style_for(file), ProgressBar::Style::lines);
   std::fclose(file);
 }
 
