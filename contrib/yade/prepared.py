@@ -34,6 +34,8 @@ class Specimen:
     sets: dict[str, Integers] = field(default_factory=dict)
     columns: dict[str, Floats] = field(default_factory=dict)  #: "mechanics/mass" -> (N,)
     periodic: tuple[bool, bool, bool] = (False, False, False)
+    lower: Floats = field(default_factory=lambda: np.zeros(3))  #: corner of the body's box, m
+    upper: Floats = field(default_factory=lambda: np.zeros(3))  #: the opposite corner, m
 
     @property
     def rest_length(self) -> Floats:
@@ -104,7 +106,7 @@ def read_specimen(path: str | Path) -> Specimen:
             if "elements/position" not in file or "elements/radius" not in file:
                 raise PreparedError(f"{path}: no /elements/position and /elements/radius")
             groups = [name for name in ("mechanics", "conduction") if name in file]
-            domain = file["domain"].attrs if "domain" in file else {}
+            domain = dict(file["domain"].attrs) if "domain" in file else {}
             periodic = [bool(p) for p in domain.get("periodic", (0, 0, 0))]
             pairs = file["bonds/pairs"][:] if "bonds/pairs" in file else np.zeros((0, 2))
             return Specimen(
@@ -116,6 +118,8 @@ def read_specimen(path: str | Path) -> Specimen:
                 {f"{g}/{k}": np.asarray(v[:], dtype=float) for g in groups
                  for k, v in file[g].items()},
                 (periodic[0], periodic[1], periodic[2]),
+                np.array(domain.get("lower", np.zeros(3)), dtype=float),
+                np.array(domain.get("upper", np.zeros(3)), dtype=float),
             )
     except OSError as error:
         raise PreparedError(f"{path}: cannot be read as HDF5 ({error})") from error

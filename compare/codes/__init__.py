@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The codes that can be compared: one adaptor a file, all with the interface of base.Code."""
+
+from __future__ import annotations
+
+from compare.codes.base import Code
+from compare.codes.liggghts import Liggghts
+from compare.codes.standalone import Standalone
+from compare.codes.yade import Yade
+
+
+def all_codes() -> dict[str, Code]:
+    """Every adaptor by the name that cases use."""
+    codes: list[Code] = [Standalone(), Liggghts(), Yade()]
+    return {code.name: code for code in codes}

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What can be measured between a code's result and a reference; cases name these functions.
+
+A measure takes the view of one variant and returns an error, to be held against the tolerance.
+"""
+
+from __future__ import annotations
+
+from typing import Callable
+
+import numpy as np
+
+from compare.references import finite_difference_step, rod_temperature
+from compare.result import CodeFailure, Floats, Result
+from compare.row import Measured, Plot, Series
+from compare.runs import View
+
+
+MEASURES: dict[str, Callable[[View], Measured]] = {}
+
+
+def measure(function: Callable[[View], Measured]) -> Callable[[View], Measured]:
+    """Makes a function known to cases by its name."""
+    MEASURES[function.__name__] = function
+    return function
+
+
+def _column(result: Result, step: int, name: str) -> Floats:
+    columns = result.frame(step).columns
+    if name not in columns:
+        raise CodeFailure(f"{result.code} wrote no {name}")
+    return columns[name]
+
+
+@measure
+def field_difference(view: View) -> Measured:
+    """Largest difference of a field (option `field`) over all elements in the last frame.
+
+    Relative to option `scale` (a number), or for positions to the largest displacement so far.
+    """
+    tested, other, name = view.tested, view.other, view.option("field")
+    if tested.steps != other.steps or tested.time_step != other.time_step:
+        raise CodeFailure(
+            f"{tested.steps} steps of {tested.time_step} s in {tested.code}, "
+            f"{other.steps} of {other.time_step} s in {other.code}")
+    steps = sorted({f.step for f in tested.frames} & {f.step for f in other.frames})
+    if tested.steps not in steps:
+        raise CodeFailure(f"{tested.code} and {other.code} share no last frame")
+    errors = []
+    for step in steps:
+        a, b = _column(tested, step, name), _column(other, step, name)
+        if a.shape != b.shape:
+            raise CodeFailure(f"{name} is {a.shape} in {tested.code}, {b.shape} in {other.code}")
+        errors.append(float(np.abs(a - b).max()))
+    scale = view.check.options.get("scale")
+    if scale is None:
+        last = _column(other, tested.steps, name)
+        scale = float(np.linalg.norm(last - view.job.specimen.position, axis=1).max())
+    if not scale > 0:
+        raise CodeFailure("nothing moved, so there is no scale for the error")
+    plot = Plot(f"{view.case.title}: difference of {name} from {other.code}", "step",
+                f"largest difference / {scale:.3g}",
+                [Series(f"{tested.code}, {view.variant.name}", np.array(steps[1:]),
+                        np.array(errors[1:]) / scale, "o-")], log_y=True)
+    return Measured(errors[-1] / scale, f"scale {scale:.3g}", plot)
+
+
+@measure
+def history_difference(view: View) -> Measured:
+    """Largest difference of a column of the history (option `column`) over the run.
+
+    Relative to the reference's largest value; rows are matched by step number.
+    """
+    tested, other, name = view.tested, view.other, view.option("column")
+    for result in (tested, other):
+        if name not in result.history:
+            raise CodeFailure(f"{result.code} has no column {name} in its history")
+    _, rows, rows_other = np.intersect1d(tested.history["step"], other.history["step"],
+                                         return_indices=True)
+    if len(rows) < 2 or tested.history["step"][rows[-1]] != tested.steps:
+        raise CodeFailure(f"{tested.code} and {other.code} share no rows to the end of the history")
+    a, b = tested.history[name][rows], other.history[name][rows_other]
+    scale = float(np.abs(b).max())
+    if not scale > 0:
+        raise CodeFailure(f"{name} is zero throughout in {other.code}")
+    across = view.check.options.get("against", "step")
+    plot = Plot(f"{view.case.title}: {name}, {view.variant.name}", across, name,
+                [Series(other.code, other.history[across], other.history[name], "-"),
+                 Series(tested.code, tested.history[across], tested.history[name], "--")])
+    return Measured(float(np.abs(a - b).max()) / scale, f"scale {scale:.3g}", plot)
+
+
+@measure
+def slope(view: View) -> Measured:
+    """Distance from 1 of the slope of log(error) against log(value), over all variants.
+
+    Options: `of` (a measure, with its own options), `value` (of the variants).
+    """
+    inner, value = MEASURES[view.option("of")], view.option("value")
+    points = []
+    for variant in view.case.variants_of(view.check):
+        found = inner(view.of(variant))
+        points.append((variant.values[value], found.error))
+    x, y = np.array(sorted(points)).T
+    if len(x) < 3 or not (y > 0).all():
+        raise CodeFailure(f"a slope needs three variants with an error above 0; errors {y}")
+    order = float(np.polyfit(np.log(x), np.log(y), 1)[0])
+    plot = Plot(f"{view.case.title}: {view.check.quantity}", value, "relative difference",
+                [Series(view.check.code, x, y, "o-"),
+                 Series("in proportion", x, y[-1] * x / x[-1], ":")], log_x=True, log_y=True)
+    return Measured(abs(order - 1), f"slope {order:.3f}", plot)
+
+
+@measure
+def finite_differences(view: View) -> Measured:
+    """Largest relative difference, per step, from central finite differences on the same lattice.
+
+    Each frame is stepped once by finite differences and compared with the next, at elements whose
+    neighbours all have six neighbours (elsewhere the lattice ends).
+    """
+    specimen, result = view.job.specimen, view.tested
+    spacing = float(np.median(specimen.rest_length))
+    index = np.rint((specimen.position - specimen.position.min(axis=0)) / spacing).astype(int)
+    shape = tuple(index.max(axis=0) + 1)
+    if np.prod(shape) != len(index):
+        raise CodeFailure("the specimen is not a full cubic lattice")
+    number = view.diffusivity * result.time_step / spacing**2
+    imposed = np.zeros(shape, dtype=bool)
+    for name in view.job.parameters.temperatures:
+        imposed[tuple(index[specimen.sets[f"temperature.{name}"]].T)] = True
+    where = ~imposed
+    for axis in range(3):
+        np.moveaxis(where, axis, 0)[[0, 1, -2, -1]] = False
+    worst = 0.0
+    stepped = 0
+    for before, after in zip(result.frames, result.frames[1:]):
+        if after.step != before.step + 1:
+            continue
+        grids = []
+        for frame in (before, after):
+            grid = np.empty(shape)
+            grid[tuple(index.T)] = frame.columns["temperature"]
+            grids.append(grid)
+        expected = finite_difference_step(grids[0], number)
+        worst = max(worst, float((np.abs(grids[1] - expected) / np.abs(expected))[where].max()))
+        stepped += 1
+    if stepped < 10:
+        raise CodeFailure(f"{result.code} wrote {stepped} pairs of frames one step apart; need 10")
+    inside = grids[1][where]
+    if float(np.ptp(inside)) < 1.0:
+        raise CodeFailure("no heat reached the compared elements, so nothing is tested")
+    return Measured(worst, f"{stepped} steps, {int(where.sum())} elements")
+
+
+@measure
+def rod_profile(view: View) -> Measured:
+    """Largest error of a 40-bin temperature profile against the exact rod, as part of the step.
+
+    Options: `fourier` (α t / L²), `hot` (name of the imposed temperature), `axis` (0, 1, 2).
+    """
+    result, axis = view.tested, int(view.option("axis"))
+    specimen = view.job.specimen
+    length = float(specimen.upper[axis] - specimen.lower[axis])
+    target = float(view.option("fourier"))
+    rate = view.diffusivity / length**2
+    frame = min(result.frames, key=lambda f: abs(f.time * rate - target))
+    if abs(frame.time * rate - target) > 0.02 * target:
+        raise CodeFailure(f"{result.code} wrote no frame near α t / L² = {target}")
+    initial = view.explained["laws"]["conduction"]["initial_temperature"]
+    imposed = view.job.parameters.temperatures[view.option("hot")]
+    distance = specimen.position[:, axis] - specimen.lower[axis]
+    exact = rod_temperature(distance, length, frame.time * rate, initial, imposed)
+    bins = np.minimum((distance / length * 40).astype(int), 39)
+    count = np.bincount(bins, minlength=40)
+    if (count == 0).any():
+        raise CodeFailure("a bin of the profile has no element")
+    found = np.bincount(bins, frame.columns["temperature"], 40) / count
+    mean = np.bincount(bins, exact, 40) / count
+    middle = (np.arange(40) + 0.5) / 40
+    plot = Plot(f"{view.case.title}: profile", "distance from the hot end / L", "temperature, K",
+                [Series(f"exact, αt/L² = {target}", middle, mean, "-"),
+                 Series(f"{result.code}, αt/L² = {target}", middle, found, ".")])
+    error = float(np.abs(found - mean).max() / abs(imposed - initial))
+    return Measured(error, f"αt/L² = {frame.time * rate:.4f}", plot)

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The verification table as one HTML file, plots inside."""
+
+from __future__ import annotations
+
+import io
+from collections import defaultdict
+from html import escape
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+from compare.row import Plot, Row, RunLine  # noqa: E402
+from compare.table import HEADER, RUN_HEADER, cells, run_cells, verdict  # noqa: E402
+
+STYLE = """
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 78em; padding: 0 1em;
+       color: #1c2733; }
+h1, h2 { font-weight: 600; }
+table { border-collapse: collapse; width: 100%; font-size: 14px; }
+th, td { padding: .3em .6em; text-align: left; border-bottom: 1px solid #dde3ea;
+         vertical-align: top; }
+th { color: #5b6b7c; font-weight: 500; }
+td.number { font-variant-numeric: tabular-nums; text-align: right; white-space: nowrap; }
+.pass { color: #1a7f37; font-weight: 600; } .fail { color: #c62828; font-weight: 600; }
+tr.failed { background: #fdecea; }
+.note { color: #5b6b7c; font-size: 12.5px; }
+.plots { display: flex; flex-wrap: wrap; gap: 1em; }
+.plots svg { width: 37em; max-width: 100%; height: auto; }
+"""
+
+
+def draw(plot: Plot) -> str:
+    """A plot as SVG text."""
+    figure, axes = plt.subplots(figsize=(6, 3.8), layout="constrained")
+    for series in plot.series:
+        axes.plot(series.x, series.y, series.style, label=series.label, markersize=4, linewidth=1.4)
+    axes.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
+    axes.title.set_fontsize(10)
+    if plot.log_x:
+        axes.set_xscale("log")
+    if plot.log_y:
+        axes.set_yscale("log")
+    axes.legend(fontsize=8, frameon=False)
+    axes.spines[["top", "right"]].set_visible(False)
+    text = io.StringIO()
+    figure.savefig(text, format="svg", metadata={"Date": None})
+    plt.close(figure)
+    return text.getvalue()[text.getvalue().index("<svg"):]
+
+
+def merged_plots(rows: list[Row]) -> list[Plot]:
+    """Plots of the same title, axes and case put together; a series is drawn once."""
+    merged: dict[tuple[str, str, str, str], Plot] = {}
+    for row in rows:
+        if row.plot is None:
+            continue
+        key = (row.case, row.plot.title, row.plot.x_label, row.plot.y_label)
+        into = merged.setdefault(key, Plot(row.plot.title, row.plot.x_label, row.plot.y_label, [],
+                                           row.plot.log_x, row.plot.log_y))
+        known = {series.label for series in into.series}
+        into.series += [series for series in row.plot.series if series.label not in known]
+    return list(merged.values())
+
+
+def _table(header: tuple[str, ...], body: list[str]) -> str:
+    head = "".join(f"<th>{escape(word)}</th>" for word in header)
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(body)}</tbody></table>"
+
+
+def _row(row: Row) -> str:
+    words = list(cells(row))[1:]
+    columns = []
+    for name, word in zip(HEADER[1:], words):
+        kind = ' class="number"' if name in ("error", "tolerance", "time/s") else ""
+        text = escape(word)
+        if name == "":
+            text = f'<span class="{word.lower()}">{word}</span>'
+        if name == "quantity":
+            below = row.note if row.error is None else f"{row.reason} {row.note}".strip()
+            text += f'<br><span class="note">{escape(below)}</span>'
+        columns.append(f"<td{kind}>{text}</td>")
+    return f'<tr class="{"" if row.passed else "failed"}">{"".join(columns)}</tr>'
+
+
+def _run(line: RunLine) -> str:
+    return "<tr>" + "".join(f"<td>{escape(word)}</td>" for word in run_cells(line)) + "</tr>"
+
+
+def page(rows: list[Row], lines: list[RunLine], titles: dict[str, tuple[str, str]]) -> str:
+    """The whole page; `titles` gives title and description of each case."""
+    cases: dict[str, list[Row]] = defaultdict(list)
+    for row in rows:
+        cases[row.case].append(row)
+    parts = [f"<h1>Verification</h1><p>{escape(verdict(rows))} Class: A analytic, P published, "
+             "C other code, R regression.</p>"]
+    for name, of_case in cases.items():
+        title, about = titles.get(name, (name, ""))
+        parts.append(f"<h2>{escape(title)}</h2><p>{escape(about)}</p>")
+        parts.append(_table(HEADER[1:], [_row(row) for row in of_case]))
+        parts.append(f'<div class="plots">{"".join(map(draw, merged_plots(of_case)))}</div>')
+    if lines:
+        parts.append("<h2>Runs</h2>" + _table(RUN_HEADER, [_run(line) for line in lines]))
+    return ('<!doctype html><html lang="en"><head><meta charset="utf-8">'
+            '<meta name="viewport" content="width=device-width"><title>solidem verification</title>'
+            f"<style>{STYLE}</style></head><body>{''.join(parts)}</body></html>\n")
+
+
+def write(rows: list[Row], lines: list[RunLine], titles: dict[str, tuple[str, str]],
+          directory: Path) -> Path:
+    """Writes index.html; returns its path."""
+    path = directory / "index.html"
+    path.write_text(page(rows, lines, titles))
+    return path

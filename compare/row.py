@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Rows of the tables, and plots beside them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from compare.result import Floats
+
+
+@dataclass
+class Series:
+    """One line of a plot."""
+
+    label: str
+    x: Floats
+    y: Floats
+    style: str = "-"
+
+
+@dataclass
+class Plot:
+    """What a plot shows; drawn by compare/page.py."""
+
+    title: str
+    x_label: str
+    y_label: str
+    series: list[Series]
+    log_x: bool = False
+    log_y: bool = False
+
+
+@dataclass
+class Measured:
+    """What a measure found."""
+
+    error: float
+    note: str = ""
+    plot: Plot | None = None
+
+
+@dataclass
+class Row:
+    """One line of the verification table."""
+
+    case: str
+    variant: str
+    quantity: str
+    label: str  #: class: A, P, C or R
+    code: str
+    reference: str
+    error: float | None  #: None when it could not be measured
+    tolerance: float
+    wall_seconds: float | None  #: of the code's time steps
+    note: str  #: why it failed, or what to know
+    reason: str  #: why this tolerance
+    plot: Plot | None = field(default=None, repr=False)
+
+    @property
+    def passed(self) -> bool:
+        """An error that is missing or not a number never passes."""
+        return (self.error is not None and math.isfinite(self.error)
+                and self.error <= self.tolerance)
+
+
+@dataclass
+class RunLine:
+    """One line of the table of runs."""
+
+    case: str
+    variant: str
+    code: str
+    elements: int
+    bonds: int
+    steps: int
+    wall_seconds: float
+    nanoseconds_per_bond_step: float
