@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The program on the prebuilt library, the preload of the stock LIGGGHTS, and LIGGGHTS built from source
+with the styles dropped in: the same results."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import moving_bar
+from conftest import built_paths
+from liggghts_runs import Liggghts
+from moving_bar import STEPS, beginning, largest_difference, state
+
+SCRIPT = beginning() + state() + f"run {STEPS}\n"
+
+
+@pytest.fixture(scope="module")
+def reference(liggghts: Liggghts, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
+    frame = moving_bar.run(liggghts, tmp_path_factory.mktemp("program"), SCRIPT)[STEPS]
+    moving_bar.check_it_moved(frame)
+    return frame
+
+
+def test_preload_of_the_stock_program(
+    prebuilt: dict[str, Path], reference: np.ndarray, tmp_path: Path
+) -> None:
+    stock = Liggghts("liggghts", {"LD_PRELOAD": str(prebuilt["preload"])})
+    assert (moving_bar.run(stock, tmp_path, SCRIPT)[STEPS] == reference).all()
+
+
+def test_stock_program_alone_does_not_know_the_styles(tmp_path: Path) -> None:
+    with pytest.raises(AssertionError, match="Invalid bond style"):
+        moving_bar.run(Liggghts("liggghts"), tmp_path, SCRIPT)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_styles_dropped_into_the_source_tree(
+    reference: np.ndarray, tmp_path: Path, ranks: int
+) -> None:
+    full = Liggghts(built_paths("install")["program"])
+    frames = moving_bar.run(full, tmp_path, SCRIPT, ranks)
+    assert largest_difference(reference, frames[STEPS]) <= 1e-12
