@@ -42,7 +42,7 @@ def draw(plot: Plot) -> str:
     axes.title.set_fontsize(10)
     if plot.log_x:
         axes.set_xscale("log")
-    if plot.log_y:
+    if plot.log_y and any((series.y > 0).any() for series in plot.series):
         axes.set_yscale("log")
     axes.legend(fontsize=8, frameon=False)
     axes.spines[["top", "right"]].set_visible(False)
