@@ -16,11 +16,8 @@ class Lines {
  public:
   template <class Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
   void add(const std::string& name, Number number) {
-    // 17 digits: different numbers never look the same.
-    if constexpr (std::is_floating_point_v<Number>)
-      text_ += fmt::format("{} = {:.17g}\n", name, number);
-    else
-      text_ += fmt::format("{} = {}\n", name, number);
+    // The shortest text that reads back as the same number: different ones never look the same.
+    text_ += fmt::format("{} = {}\n", name, number);
   }
   template <class Enum, std::enable_if_t<std::is_enum_v<Enum>, int> = 0>
   void add(const std::string& name, Enum value) {
@@ -30,7 +27,7 @@ class Lines {
     text_ += fmt::format("{} = \"{}\"\n", name, value);
   }
   void add(const std::string& name, const Vector& v) {
-    text_ += fmt::format("{} = [{:.17g}, {:.17g}, {:.17g}]\n", name, v.x, v.y, v.z);
+    text_ += fmt::format("{} = [{}, {}, {}]\n", name, v.x, v.y, v.z);
   }
   template <class T>
   void add(const std::string& name, const std::array<T, 3>& values) {

@@ -9,10 +9,10 @@
 namespace solidem {
 
 /// All of a scene that shapes its states and its history columns, as text: a line `name = value`
-/// for each, numbers with 17 digits. Two scenes with the same fingerprint may continue each other's
-/// checkpoints. Left out are the title, the paths of folders, how long to run, how often to observe
-/// and what to write. A specimen file counts by its name: its content is for the checkpoint to
-/// compare.
+/// for each, numbers with all their digits. Two scenes with the same fingerprint may continue each
+/// other's checkpoints. Left out are the title, the paths of folders, how long to run, how often to
+/// observe and what to write. A specimen file counts by its name: its content is for the checkpoint
+/// to compare.
 std::string fingerprint(const Scene& scene);
 
 /// The first line in which two fingerprints differ: "beams.radius_ratio = 0.3, not 0.27", what the

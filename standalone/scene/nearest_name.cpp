@@ -36,7 +36,8 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
   constexpr std::size_t longest = 100;  // the table grows with the square
   std::string nearest;
   if (word.empty() || word.size() > longest) return nearest;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  // One letter in three may be wrong, at least one, but never all of them.
+  std::size_t least = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());
   for (const std::string& name : names) {
     // An abbreviation ("conduct", "young") means the name that begins with it.
     const bool abbreviates = word.size() >= 3 && lower_case(name).rfind(lower_case(word), 0) == 0;

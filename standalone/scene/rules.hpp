@@ -94,9 +94,12 @@ inline Rule function(TimeFunction& place, const Dimension& dimension,
 /// One of several words.
 template <class Place>
 Rule choice(Place& place, const std::vector<std::pair<std::string, Place>>& words) {
-  std::vector<std::string> names;
-  for (const auto& word : words) names.push_back("\"" + word.first + "\"");
-  const std::string expected = (names.size() > 1 ? "one of " : "") + join(names);
+  std::vector<std::string> names, quoted;
+  for (const auto& word : words) {
+    names.push_back(word.first);
+    quoted.push_back("\"" + word.first + "\"");
+  }
+  const std::string expected = (names.size() > 1 ? "one of " : "") + join(quoted);
   return {expected, [&place, words, names, expected](const Value& value) {
             const std::string given = read_text(value, expected);
             for (const auto& word : words) {
@@ -104,7 +107,7 @@ Rule choice(Place& place, const std::vector<std::pair<std::string, Place>>& word
               place = word.second;
               return;
             }
-            value.refuse("unknown" + did_you_mean("\"" + given + "\"", names), expected);
+            value.refuse("unknown" + did_you_mean(given, names), expected);
           }};
 }
 

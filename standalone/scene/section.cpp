@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "scene/section.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -25,6 +27,7 @@ std::string shorten(std::string text) {
 
 std::string text_of(const toml::node& node) {
   if (const auto* text = node.as_string()) return "\"" + shorten(text->get()) + "\"";
+  if (const auto* number = node.as_floating_point()) return fmt::format("{:#}", number->get());
   std::ostringstream stream;
   node.visit([&stream](const auto& value) { stream << value; });
   return shorten(stream.str());

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Values of another kind than the key wants: a bare number, another unit, a table.
+#include "bad_scene.hpp"
+
+namespace solidem::test {
+namespace {
+
+class BadKinds : public testing::TestWithParam<BadScene> {};
+
+TEST_P(BadKinds, IsRefusedWithPlaceAndRemedy) {
+  expect_refused(GetParam());
+}
+
+const std::string zeros = "velocity = [\"0 m/s\", \"0 m/s\", \"0 m/s\"]";
+const std::string hot = "value = \"798 K\"";
+
+// name, scene, from, to, on the line of, fragments
+const BadScene wrong_kinds[] = {
+    {"unit_in_capitals",
+     bar,
+     "3.5 TPa",
+     "73 GPA",
+     "",
+     {"[beams] young_modulus = \"73 GPA\"", "\"GPA\" is no unit", "did you mean \"73 GPa\"?",
+      "a modulus above 0"}},
+    {"dimension",
+     bar,
+     "3.5 TPa",
+     "3.5 mm",
+     "",
+     {"young_modulus = \"3.5 mm\"", "another dimension", "a modulus above 0"}},
+    {"bare_number",
+     bar,
+     "\"3.5 TPa\"",
+     "3.5e12",
+     "",
+     {"young_modulus = 3500000000000.0", "has no unit", "\"73 GPa\""}},
+    {"quantity_without_unit",
+     bar,
+     "3.5 TPa",
+     "3.5e12",
+     "",
+     {"young_modulus = \"3.5e12\"", "has no unit"}},
+    {"number_as_text", bar, "0.27", "\"0.27\"", "", {"radius_ratio = \"0.27\"", "without quotes"}},
+    {"number_with_unit",
+     bar,
+     "0.27",
+     "\"0.27 mm\"",
+     "",
+     {"radius_ratio = \"0.27 mm\"", "a number above 0"}},
+    {"integer_with_point",
+     bar,
+     "elements = 1000",
+     "elements = 1000.0",
+     "",
+     {"[specimen] elements = 1000.0", "an integer"}},
+    {"flag_as_text",
+     heat,
+     "[false, true, false]",
+     "[\"no\", true, false]",
+     "",
+     {"periodic[0] = \"no\"", "true or false"}},
+    {"text_as_number", bar, "\"a bar\"", "5", "", {"title = 5", "text"}},
+    {"number_not_finite", bar, "0.27", "nan", "", {"radius_ratio = nan", "not finite"}},
+    {"date",
+     bar,
+     "\"1 ms\"\ntime",
+     "2000-01-01\ntime",
+     "",
+     {"duration = 2000-01-01", "a time above 0"}},
+    {"two_entries",
+     bar,
+     ", \"2 mm\"]\nel",
+     "]\nel",
+     "size",
+     {"[specimen] size", "has 2 entries, not 3", "a length above 0"}},
+    {"not_an_array",
+     bar,
+     zeros,
+     "velocity = \"1 m/s\"",
+     "",
+     {"[[grips]] velocity = \"1 m/s\"", "three entries"}},
+    {"single_grip_in_single_brackets",
+     heat,
+     "[[temperatures]]",
+     "[temperatures]",
+     "",
+     {"[temperatures]", "double brackets"}},
+    {"beams_in_double_brackets", bar, "[beams]", "[[beams]]", "", {"[[beams]]", "not a section"}},
+    {"section_as_value",
+     heat,
+     "[specimen]",
+     "output = 5\n[specimen]",
+     "",
+     {"output = 5", "not a section"}},
+    {"region_as_text",
+     bar,
+     "region = { set = \"left\" }",
+     "region = \"left\"",
+     "",
+     {"[[grips]] region = \"left\"", "{set}"}},
+    {"region_of_two_forms",
+     bar,
+     "{ set = \"left\" }",
+     "{ set = \"left\", axis = \"x\" }",
+     "",
+     {"region.axis", "a region by a set"}},
+    {"region_empty", bar, "{ set = \"left\" }", "{}", "", {"[[grips]] region", "{axis, side"}},
+    {"amplitude_in_degrees",
+     heat,
+     hot,
+     "value = { mean = \"20 °C\", amplitude = \"10 °C\", frequency = \"1 Hz\" }",
+     "",
+     {"value.amplitude = \"10 °C\"", "offset", "a temperature difference"}},
+    {"frequency_per_minute",
+     bar,
+     "50 Hz",
+     "50 rpm",
+     "",
+     {"frequency = \"50 rpm\"", "angle", "a frequency"}},
+    {"function_of_nothing",
+     heat,
+     hot,
+     "value = { from = 3 }",
+     "",
+     {"[[temperatures]] value", "{time, value}"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Kind, BadKinds, testing::ValuesIn(wrong_kinds), row_name);
+
+}  // namespace
+}  // namespace solidem::test
