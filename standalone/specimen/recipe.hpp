@@ -39,12 +39,12 @@ struct SpecimenRecipe {
 };
 
 /// Told how far a long task is: fraction done in [0, 1] and what is being done. May be empty.
-using Progress = std::function<void(double fraction, const std::string& doing)>;
+using ReportProgress = std::function<void(double fraction, const std::string& doing)>;
 
 /// Makes the specimen a recipe asks for: ordered, with the bonds of elements in contact (tolerance
 /// 0) and its report; a file is taken as it is. Throws InputError when the recipe is incomplete or
 /// asks for the impossible.
-Specimen make_specimen(const SpecimenRecipe& recipe, const Progress& progress = {});
+Specimen make_specimen(const SpecimenRecipe& recipe, const ReportProgress& progress = {});
 
 }  // namespace solidem
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Soft spheres pushed apart to rest: overlapping spheres repel each other, and walls repel spheres,
+// by a force equal to the overlap (unit stiffness, unit mass), and the energy is minimised with
+// FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006). Neighbour lists come from linked cells.
+// Sums over all elements run over fixed blocks in fixed order, so the result is the same on any
+// number of threads.
+#ifndef SOLIDEM_SPECIMEN_QUENCH_HPP
+#define SOLIDEM_SPECIMEN_QUENCH_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "model/specimen.hpp"
+
+namespace solidem {
+
+/// Spheres in a body with walls. Lengths in a unit near the mean radius.
+class SoftSpheres {
+ public:
+  SoftSpheres(const Domain& domain, std::vector<Vector> position, std::vector<double> radius);
+
+  /// Multiplies all radii.
+  void inflate(double factor);
+
+  /// Moves the spheres until no force is larger than `precision` times the mean contact force (or
+  /// the packing is loose), or `most_steps` are done. Returns the number of steps. `progress`, if
+  /// given, is told now and then the fraction of the way to that precision on a logarithmic scale.
+  int relax(double precision, int most_steps, const std::function<void(double)>& progress = {});
+
+  /// Contacts between spheres: twice their number per sphere, and the mean overlap in mean
+  /// diameters.
+  double coordination_number() const;
+  double mean_overlap() const;
+
+  /// Centres, in periodic directions the image inside the body.
+  std::vector<Vector> position() const;
+  std::vector<double> radius() const;
+  std::size_t size() const { return ball_.size(); }
+
+ private:
+  struct Ball {
+    Vector centre;
+    double radius;
+  };
+  // Sums over all elements, by blocks.
+  struct Sums {
+    double power = 0, force2 = 0, velocity2 = 0;
+    double contact_force = 0;
+    std::int64_t contacts = 0;
+  };
+
+  void build_lists();
+  Vector image_inside(Vector point) const;
+  template <bool periodic>
+  Sums forces_of_block(std::size_t first, std::size_t last);
+  void wall_force(const Ball& ball, Vector& force) const;
+  Vector nearest_image(Vector d) const;
+  void compute_forces();
+  double move(double time_step, double keep, double steer);
+
+  Domain domain_;
+  Vector extent_{};
+  bool any_periodic_ = false;
+  std::vector<Ball> ball_;
+  std::vector<Vector> velocity_, force_, listed_position_;
+  std::vector<std::int32_t> first_neighbour_, neighbour_;  // both sides of each listed pair
+  double mean_diameter_ = 2;
+  double skin_ = 0.4;  // of the lists
+  Sums sums_;
+};
+
+}  // namespace solidem
+
+#endif

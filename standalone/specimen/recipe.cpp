@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "specimen/recipe.hpp"
+
+#include "specimen/bonds.hpp"
+#include "specimen/crystal.hpp"
+#include "specimen/ordering.hpp"
+#include "specimen/packing.hpp"
+#include "specimen/report.hpp"
+#include "specimen/specimen_file.hpp"
+
+namespace solidem {
+
+Specimen make_specimen(const SpecimenRecipe& recipe, const ReportProgress& progress) {
+  if (!recipe.file.empty()) return read_specimen(recipe.file);
+  const bool crystal = recipe.shape == "crystal";
+  Specimen specimen = crystal ? make_crystal(recipe) : make_packing(recipe, progress);
+  make_bonds(specimen, 0.0);
+  sort_elements(specimen);
+  measure_specimen(specimen);
+  if (!crystal) specimen.report["seed"] = static_cast<double>(recipe.seed);
+  if (progress) progress(1.0, "specimen made");
+  return specimen;
+}
+
+}  // namespace solidem
