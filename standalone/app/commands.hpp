@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The commands of the program, one function each. They print to stdout, warn on stderr, and throw
+// InputError and RunError.
+#ifndef SOLIDEM_APP_COMMANDS_HPP
+#define SOLIDEM_APP_COMMANDS_HPP
+
+#include <string>
+
+namespace solidem {
+
+struct RunCommand {
+  std::string scene, output;
+  int threads = 0;
+  bool resume = false, force = false, quiet = false;
+};
+/// `solidem run`; the exit status: 0, or 130 when interrupted.
+int run_scene(const RunCommand& command);
+
+/// `solidem explain`: what acts and why, columns and bytes, time step, expected cost.
+void explain_scene(const std::string& scene, bool json, bool force);
+
+/// `solidem prepare`: the specimen with all that another code needs.
+void prepare_scene(const std::string& scene, const std::string& output);
+
+/// `solidem specimen`: makes a scene's packing and prints its report.
+void make_scene_specimen(const std::string& scene, const std::string& output);
+
+/// `solidem convert`, `solidem info`.
+void convert_specimen(const std::string& from, const std::string& to);
+void describe_specimen(const std::string& file);
+
+}  // namespace solidem
+
+#endif

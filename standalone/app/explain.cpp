@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "effects/kernels/kernels.hpp"
+#include "scene/body.hpp"
+
+namespace solidem {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const TimeFunction& f) {
+  return {{"time", f.time},
+          {"value", f.value},
+          {"amplitude", f.amplitude},
+          {"frequency", f.frequency},
+          {"phase", f.phase}};
+}
+
+const char* name_of(AxisControl::Kind kind) {
+  switch (kind) {
+    case AxisControl::Kind::displacement:
+      return "displacement";
+    case AxisControl::Kind::velocity:
+      return "velocity";
+    case AxisControl::Kind::force:
+      return "force";
+    case AxisControl::Kind::free:
+      break;
+  }
+  return "free";
+}
+
+const char* name_of(Site site) {
+  return site == Site::element ? "element" : "slot";
+}
+
+Json laws_of(const Simulation& simulation) {
+  const Setup& setup = simulation.setup();
+  Json laws = Json::object();
+  if (setup.beams) {
+    const BeamParameters& beams = *setup.beams;
+    const bool pair = beams.radius_from == BeamParameters::RadiusFrom::pair;
+    laws["beams"] = {{"young_modulus", beams.young_modulus},
+                     {"shear_modulus", beams.shear_modulus},
+                     {"radius_ratio", beams.radius_ratio},
+                     {"radius_from", pair ? "pair" : "mean"},
+                     {"mean_radius", mean_radius(simulation.model().specimen())}};
+  }
+  if (setup.conduction)
+    laws["conduction"] = {{"law", "platonic"},
+                          {"initial_temperature", setup.conduction->initial_temperature},
+                          {"conductivity", setup.materials[0].conductivity},
+                          {"specific_heat_capacity", setup.materials[0].specific_heat}};
+  return laws;
+}
+
+Json loads_of(const Setup& setup, Json report) {
+  report["grips"] = Json::array();
+  for (const GripParameters& grip : setup.grips) {
+    Json axes = Json::array();
+    for (const AxisControl& axis : grip.axis)
+      axes.push_back({{"kind", name_of(axis.kind)}, {"function", to_json(axis.function)}});
+    report["grips"].push_back({{"name", grip.name},
+                               {"axes", axes},
+                               {"rotation", grip.rotation_fixed ? "fixed" : "free"}});
+  }
+  report["temperatures"] = Json::array();
+  for (const ImposedTemperatureParameters& imposed : setup.temperatures)
+    report["temperatures"].push_back(
+        {{"name", imposed.name}, {"value", to_json(imposed.temperature)}});
+  return report;
+}
+
+/// Seconds that one step takes here and now, from a few steps on this very model.
+double measured_step(Simulation& simulation) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int steps = 10;
+  simulation.advance(2);
+  const auto start = Clock::now();
+  simulation.advance(steps);
+  return std::chrono::duration<double>(Clock::now() - start).count() / steps;
+}
+
+Json report_of(const Scene& scene, Simulation& simulation) {
+  const Model& model = simulation.model();
+  const Plan& plan = simulation.plan();
+  const TimeStepChoice& dt = simulation.time_step();
+  Json report;
+  report["scene"] = scene.path;
+  report["title"] = scene.title;
+  report["effects"] = Json::array();
+  report["kernels"] = Json::array();
+  for (const PlannedEffect& effect : plan.effects) {
+    report["effects"].push_back({{"name", effect.name}, {"reason", effect.reason}});
+    if (!effect.kernel.empty()) report["kernels"].push_back(effect.kernel);
+  }
+  report["columns"] = Json::array();
+  for (const PlannedColumn& planned : plan.columns)
+    report["columns"].push_back({{"name", planned.column->name},
+                                 {"site", name_of(planned.column->site)},
+                                 {"bytes", planned.column->bytes()},
+                                 {"unit", planned.column->unit},
+                                 {"meaning", planned.column->meaning},
+                                 {"asked_by", planned.asked_by}});
+  report["elements"] = model.elements();
+  report["bonds"] = model.slots().bonds();
+  report["slots"] = model.slots().rows() * lanes;
+  report["unbonded_elements"] = simulation.unbonded();
+  report["bytes"] = model.bytes();
+  report["time_step"] = {{"value", dt.value},
+                         {"bound", dt.bound},
+                         {"limit", dt.limit},
+                         {"criterion", dt.criterion},
+                         {"ratio", dt.ratio}};
+  report["steps"] = simulation.steps_to_run();
+  report["seconds_per_step"] = measured_step(simulation);
+  report["threads"] = omp_get_max_threads();
+  report["instruction_set"] = kernels().instruction_set;
+  report["laws"] = laws_of(simulation);
+  report["density"] = simulation.setup().materials[0].density;
+  return loads_of(simulation.setup(), std::move(report));
+}
+
+void print(const Json& report) {
+  fmt::print("{}\n\nEffects\n", report["title"].get<std::string>());
+  for (const Json& effect : report["effects"])
+    fmt::print("  {:<24} asked for by {}\n", effect["name"].get<std::string>(),
+               effect["reason"].get<std::string>());
+  fmt::print("\nHot loops\n");
+  for (const Json& kernel : report["kernels"]) fmt::print("  {}\n", kernel.get<std::string>());
+
+  const auto elements = report["elements"].get<double>(), bonds = report["bonds"].get<double>();
+  fmt::print("\nColumns{:>21} {:>8}  asked by\n", "bytes", "per");
+  for (const Json& column : report["columns"]) {
+    std::string askers;
+    for (const Json& asker : column["asked_by"]) askers += " " + asker.get<std::string>();
+    fmt::print("  {:<22}{:>4} {:>8} {}\n", column["name"].get<std::string>(),
+               column["bytes"].get<int>(), column["site"].get<std::string>(), askers);
+  }
+  fmt::print(
+      "  a slot is one side of a bond, 4 bytes more for its neighbour's number; {:.0f} slots for "
+      "{:.0f} bonds\n",
+      report["slots"].get<double>(), bonds);
+  fmt::print("  in all {:.0f} bytes an element, {:.1f} MB\n",
+             report["bytes"].get<double>() / elements, report["bytes"].get<double>() / 1e6);
+
+  const Json& dt = report["time_step"];
+  const auto step = report["seconds_per_step"].get<double>();
+  fmt::print("\nTime step {:.5g} s = {:.3g} x {:.5g} s ({}); stable up to {:.5g} s\n",
+             dt["value"].get<double>(), dt["ratio"].get<double>(), dt["bound"].get<double>(),
+             dt["criterion"].get<std::string>(), dt["limit"].get<double>());
+  fmt::print("Cost, measured here on {} thread(s), {}: {:.3g} ms a step, {:.3g} ns a bond-step\n",
+             report["threads"].get<int>(), report["instruction_set"].get<std::string>(), step * 1e3,
+             step * 1e9 / bonds);
+  fmt::print("{} elements, {} bonds, {} steps: about {:.3g} s\n", report["elements"].get<long>(),
+             report["bonds"].get<long>(), report["steps"].get<long>(),
+             step * report["steps"].get<double>());
+  if (report["unbonded_elements"].get<long>() > 0)
+    fmt::print("{} elements have no bond: nothing moves or heats them, no measure counts them\n",
+               report["unbonded_elements"].get<long>());
+}
+
+}  // namespace
+
+void explain_scene(const std::string& path, bool json, bool force) {
+  const Scene scene = read_scene(path);
+  Simulation simulation(scene.setup, make_body(scene), force);
+  const Json report = report_of(scene, simulation);
+  if (json)
+    fmt::print("{}\n", report.dump(2));
+  else
+    print(report);
+}
+
+}  // namespace solidem

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <new>
+
+#include "app/commands.hpp"
+#include "model/error.hpp"
+#include "output/summary.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app{"solidem: continuous solids as compact packings of spheres"};
+  app.set_version_flag("--version", solidem::version());
+  app.require_subcommand(1);
+  std::function<int()> chosen;
+
+  solidem::RunCommand run;
+  auto* run_app = app.add_subcommand("run", "Run a scene");
+  run_app->add_option("scene", run.scene, "scene file (TOML)")->required();
+  run_app->add_option("-o,--output", run.output,
+                      "folder for the results (default: the scene's name)");
+  run_app->add_option("-t,--threads", run.threads, "number of threads (default: all processors)")
+      ->check(CLI::Range(1, 4096));
+  run_app->add_flag("--resume", run.resume, "go on from the folder's checkpoint");
+  run_app->add_flag("--force", run.force, "accept a time step beyond the stable limit");
+  run_app->add_flag("-q,--quiet", run.quiet, "no progress bar");
+  run_app->callback([&] { chosen = [&] { return solidem::run_scene(run); }; });
+
+  std::string scene, output, from, to;
+  bool json = false, force = false;
+  auto* explain = app.add_subcommand("explain", "Say what a scene simulates, and what it costs");
+  explain->add_option("scene", scene, "scene file (TOML)")->required();
+  explain->add_flag("--json", json, "for programs, all in SI units");
+  explain->add_flag("--force", force, "accept a time step beyond the stable limit");
+  explain->callback(
+      [&] { chosen = [&] { return solidem::explain_scene(scene, json, force), 0; }; });
+
+  auto* prepare =
+      app.add_subcommand("prepare", "Write a scene's specimen with all that another code needs");
+  prepare->add_option("scene", scene, "scene file (TOML)")->required();
+  prepare->add_option("-o,--output", output, "specimen file (.h5)")->required();
+  prepare->callback([&] { chosen = [&] { return solidem::prepare_scene(scene, output), 0; }; });
+
+  auto* specimen =
+      app.add_subcommand("specimen", "Make the specimen of a scene and print its report");
+  specimen->add_option("scene", scene, "scene file (TOML)")->required();
+  specimen->add_option("-o,--output", output, "specimen file (.h5, .data, .txt, .csv)")->required();
+  specimen->callback(
+      [&] { chosen = [&] { return solidem::make_scene_specimen(scene, output), 0; }; });
+
+  auto* convert =
+      app.add_subcommand("convert", "Convert a specimen: .h5, .data (LIGGGHTS), .txt (YADE), .csv");
+  convert->add_option("from", from, "file to read")->required();
+  convert->add_option("to", to, "file to write")->required();
+  convert->callback([&] { chosen = [&] { return solidem::convert_specimen(from, to), 0; }; });
+
+  auto* info = app.add_subcommand("info", "Print the report of a specimen");
+  info->add_option("file", from, "specimen file")->required();
+  info->callback([&] { chosen = [&] { return solidem::describe_specimen(from), 0; }; });
+
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return chosen();
+  } catch (const solidem::InputError& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 2;
+  } catch (const solidem::RunError& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "error: out of memory; fewer elements, or a larger machine\n");
+    return 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "internal error: %s\n", error.what());
+    return 3;
+  }
+}

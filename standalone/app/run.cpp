@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "engine/run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+
+#include "app/commands.hpp"
+#include "effects/kernels/kernels.hpp"
+#include "output/progress.hpp"
+#include "scene/body.hpp"
+#include "scene/fingerprint.hpp"
+
+namespace solidem {
+
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+/// The first Ctrl-C ends the run in order, the second at once.
+void on_interrupt(int signal) {
+  interrupted = true;
+  std::signal(signal, SIG_DFL);
+}
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+int run_scene(const RunCommand& command) {
+  kernels();  // an impossible choice of instruction set must fail before any work
+  if (command.threads > 0) omp_set_num_threads(command.threads);
+  const Scene scene = read_scene(command.scene);
+  RunOptions options;
+  options.scene = command.scene;
+  options.fingerprint = fingerprint(scene);
+  options.directory = command.output.empty()
+                          ? std::filesystem::path(command.scene).stem().string() + ".results"
+                          : command.output;
+  options.resume = command.resume;
+  options.quiet = command.quiet;
+  options.interrupted = &interrupted;
+
+  auto start = Clock::now();
+  Specimen body = make_body(scene);
+  options.wall_seconds["specimen"] = seconds_since(start);
+  start = Clock::now();
+  Simulation simulation(scene.setup, std::move(body), command.force);
+  options.wall_seconds["set-up"] = seconds_since(start);
+
+  const Slots& slots = simulation.model().slots();
+  fmt::print("{}: {} elements, {} bonds, {} steps of {:.4g} s -> {}\n", scene.title,
+             simulation.model().elements(), slots.bonds(), simulation.steps_to_run(),
+             simulation.time_step().value, options.directory);
+  if (simulation.unbonded() > 0)
+    fmt::print(
+        "note: {} elements have no bond: nothing moves or heats them, no measure counts them\n",
+        simulation.unbonded());
+  if (simulation.time_step().value > simulation.time_step().limit)
+    fmt::print("warning: the time step is beyond the stable limit {:.4g} s, as forced\n",
+               simulation.time_step().limit);
+  std::fflush(stdout);
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  const bool completed = run(simulation, options);
+  if (completed) return 0;
+  fmt::print("interrupted at step {}; go on with: solidem run {} --output {} --resume\n",
+             simulation.step(), command.scene, options.directory);
+  return 130;
+}
+
+}  // namespace solidem

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "engine/run.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "effects/kernels/kernels.hpp"
+#include "model/error.hpp"
+#include "output/checkpoint.hpp"
+#include "output/history.hpp"
+#include "output/progress.hpp"
+#include "output/summary.hpp"
+#include "output/trajectory.hpp"
+
+namespace solidem {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time of a scope to one of the phases of a run.
+class Phase {
+ public:
+  explicit Phase(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
+  ~Phase() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Phase(const Phase&) = delete;
+  Phase& operator=(const Phase&) = delete;
+
+ private:
+  double& seconds_;
+  Clock::time_point start_;
+};
+
+/// The specimen as the trajectory shows it: bonds are drawn where they carry loads; without motion
+/// their list is not worth its memory.
+Specimen drawn_specimen(const Model& model) {
+  Specimen specimen = model.specimen();
+  if (model.has(columns::pose)) specimen.bonds = model.slots().pairs();
+  return specimen;
+}
+
+std::vector<std::string> names_of(const HistoryRow& row) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : row.values) names.push_back(name);
+  return names;
+}
+
+std::vector<double> values_of(const HistoryRow& row) {
+  std::vector<double> values;
+  for (const auto& [name, value] : row.values) values.push_back(value);
+  return values;
+}
+
+/// First multiple of an interval after a step.
+std::int64_t next_multiple(std::int64_t step, std::int64_t interval) {
+  return (step / interval + 1) * interval;
+}
+
+class Recorder {
+ public:
+  Recorder(Simulation& simulation, const RunOptions& options)
+      : simulation_(simulation), options_(options), seconds_(options.wall_seconds) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    fs::create_directories(options.directory, error);
+    if (error || !fs::is_directory(options.directory))
+      throw RunError(options.directory + ": cannot be made a directory for the results (" +
+                     error.message() + "); give another with --output");
+    if (options.resume) restore();
+    first_step_ = simulation.step();
+  }
+
+  bool run() {
+    const std::int64_t last = simulation_.steps_to_run();
+    const std::int64_t observe_every =
+        simulation_.setup().run.observe_every.value_or(std::max<std::int64_t>(1, last / 200));
+    const std::int64_t frames = simulation_.setup().output.frames;
+    const std::int64_t frame_every =
+        frames > 0 ? std::max<std::int64_t>(1, last / frames) : last + 1;
+    const std::int64_t checkpoint_every = simulation_.setup().output.checkpoint_every > 0
+                                              ? simulation_.setup().output.checkpoint_every
+                                              : last + 1;
+    open();
+    if (!options_.resume) {
+      write_row();
+      if (frames > 0) write_frame();
+    }
+    ProgressBar progress(
+        first_step_, last,
+        options_.quiet ? ProgressBar::Style::quiet : ProgressBar::style_for(stderr));
+    // Short strides, so that an interrupt is answered and the bar moves.
+    constexpr std::int64_t stride = 64;
+    try {
+      while (simulation_.step() < last && !interrupted()) {
+        const std::int64_t now = simulation_.step();
+        const std::int64_t target =
+            std::min({last, now + stride, next_multiple(now, observe_every),
+                      next_multiple(now, frame_every), next_multiple(now, checkpoint_every)});
+        {
+          const Phase phase(seconds_["steps"]);
+          simulation_.advance(target - now);
+        }
+        if (target % observe_every == 0 || target == last) write_row();
+        if (target % frame_every == 0) write_frame();
+        if (target % checkpoint_every == 0) write_checkpoint();
+        progress.update(target);
+      }
+    } catch (const RunError& error) {
+      summarise(false, error.what());
+      throw;
+    }
+    const bool completed = simulation_.step() >= last;
+    if (!completed && history_->last_step() != simulation_.step()) write_row();
+    write_checkpoint();
+    summarise(completed, completed ? "" : "interrupted");
+    return completed;
+  }
+
+ private:
+  bool interrupted() const { return options_.interrupted != nullptr && *options_.interrupted; }
+  std::string path(const char* file) const { return options_.directory + "/" + file; }
+
+  void open() {
+    const Phase phase(seconds_["output"]);
+    const HistoryRow row = simulation_.observe();
+    const Specimen specimen = drawn_specimen(simulation_.model());
+    if (options_.resume) {
+      history_.emplace(HistoryWriter::resume(path("history.csv"), names_of(row), first_step_));
+      if (simulation_.setup().output.frames > 0)
+        trajectory_.emplace(TrajectoryWriter::resume(path("trajectory.h5"), specimen, first_step_));
+    } else {
+      history_.emplace(path("history.csv"), names_of(row));
+      if (simulation_.setup().output.frames > 0)
+        trajectory_.emplace(path("trajectory.h5"), specimen);
+    }
+  }
+
+  void restore() {
+    const CheckpointReader checkpoint(path("checkpoint.h5"), options_.fingerprint);
+    std::map<std::string, std::vector<double>> saved;
+    for (const auto& [name, values] : simulation_.save())
+      saved[name] = checkpoint.read<double>(name, values.size());
+    simulation_.restore(checkpoint.header().step, saved);
+  }
+
+  void write_row() {
+    const Phase phase(seconds_["observation"]);
+    last_row_ = simulation_.observe();
+    history_->write_row(last_row_.step, last_row_.time, values_of(last_row_));
+  }
+
+  void write_frame() {
+    const Phase phase(seconds_["output"]);
+    const Model& model = simulation_.model();
+    Observation observation;
+    simulation_.observe(observation);
+    std::vector<Field> fields;
+    std::vector<double> position;
+    if (model.has(columns::pose)) {
+      const double* pose = model.data(columns::pose);
+      for (std::size_t i = 0; i < model.elements(); ++i)
+        position.insert(position.end(), pose + 8 * i, pose + 8 * i + 3);
+      fields.push_back({"position", 3, position.data()});
+      fields.push_back({"velocity", 3, &observation.motion.velocity.data()->x});
+    }
+    if (model.has(columns::temperature))
+      fields.push_back({"temperature", 1, model.data(columns::temperature)});
+    trajectory_->write_frame(simulation_.step(), simulation_.time(), fields);
+  }
+
+  void write_checkpoint() {
+    const Phase phase(seconds_["output"]);
+    solidem::write_checkpoint(path("checkpoint.h5"),
+                              {simulation_.step(), simulation_.time(), options_.fingerprint},
+                              [&](const CheckpointContents& contents) {
+                                for (const auto& [name, values] : simulation_.save())
+                                  contents.write(name, values);
+                              });
+  }
+
+  void summarise(bool completed, const std::string& reason) {
+    const Model& model = simulation_.model();
+    const std::int64_t steps = simulation_.step() - first_step_;
+    const auto bond_steps = static_cast<double>(model.slots().bonds()) * static_cast<double>(steps);
+    nlohmann::ordered_json summary;
+    summary["solidem"] = version();
+    summary["scene"] = options_.scene;
+    summary["completed"] = completed;
+    if (!reason.empty()) summary["stopped"] = reason;
+    for (const PlannedEffect& effect : simulation_.plan().effects)
+      summary["effects"].push_back(effect.name);
+    summary["elements"] = model.elements();
+    summary["bonds"] = model.slots().bonds();
+    summary["unbonded_elements"] = simulation_.unbonded();
+    summary["first_step"] = first_step_;
+    summary["steps"] = simulation_.step();
+    const TimeStepChoice& dt = simulation_.time_step();
+    summary["time_step"] = dt.value;
+    summary["time_step_ratio"] = dt.ratio;
+    summary["time_step_limit"] = dt.limit;
+    summary["simulated_time"] = simulation_.time();
+    summary["wall_seconds"] = seconds_;
+    summary["nanoseconds_per_bond_step"] =
+        bond_steps > 0 ? nlohmann::ordered_json(seconds_["steps"] * 1e9 / bond_steps) : nullptr;
+    summary["peak_memory_bytes"] = peak_memory_bytes();
+    summary["bytes_per_element"] =
+        static_cast<double>(model.bytes()) / static_cast<double>(model.elements());
+    summary["precision"] = "double";
+    summary["threads"] = omp_get_max_threads();
+    summary["instruction_set"] = kernels().instruction_set;
+    summary["hardware"] = to_json(hardware());
+    for (const auto& [name, value] : last_row_.values) summary["final"][name] = value;
+    write_summary(path("summary.json"), summary);
+  }
+
+  Simulation& simulation_;
+  const RunOptions& options_;
+  std::map<std::string, double> seconds_;
+  std::int64_t first_step_ = 0;
+  HistoryRow last_row_{};
+  std::optional<HistoryWriter> history_;
+  std::optional<TrajectoryWriter> trajectory_;
+};
+
+}  // namespace
+
+bool run(Simulation& simulation, const RunOptions& options) {
+  return Recorder(simulation, options).run();
+}
+
+}  // namespace solidem

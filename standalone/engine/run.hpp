@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_ENGINE_RUN_HPP
+#define SOLIDEM_ENGINE_RUN_HPP
+
+#include <atomic>
+#include <map>
+#include <string>
+
+#include "engine/simulation.hpp"
+
+namespace solidem {
+
+/// Where and how a simulation is run and recorded.
+struct RunOptions {
+  std::string
+      directory;  ///< for summary.json, history.csv, trajectory.h5, checkpoint.h5; made if absent
+  std::string scene;        ///< path of the scene file, for the summary
+  std::string fingerprint;  ///< of the scene: a checkpoint of another is refused
+  bool resume = false;      ///< go on from the directory's checkpoint
+  bool quiet = false;       ///< no progress bar
+  const std::atomic<bool>* interrupted = nullptr;  ///< set from outside: stop after this step
+  std::map<std::string, double> wall_seconds;      ///< of earlier phases, by name, for the summary
+};
+
+/// Runs a simulation to its end and writes its results as it goes. An interrupted or diverging run
+/// leaves a readable result and a summary; an interrupted one also a checkpoint to resume from.
+/// Returns true when the run came to its end, false when it was interrupted. Throws InputError (an
+/// unusable checkpoint) and RunError (divergence, a file that cannot be written).
+bool run(Simulation& simulation, const RunOptions& options);
+
+}  // namespace solidem
+
+#endif
