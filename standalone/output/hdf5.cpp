@@ -316,7 +316,7 @@ std::string Hdf5Group::text_attribute(const std::string& name) const {
     char* text = nullptr;
     if (H5Aread(*attribute, *type, &text) < 0 || !text)
       fail_reading(label, "cannot be read (" + reason() + ")");
-    const std::string value = text;
+    std::string value = text;
     H5free_memory(text);
     return value;
   }
@@ -326,7 +326,7 @@ std::string Hdf5Group::text_attribute(const std::string& name) const {
   return text.data();
 }
 
-Hdf5File::Hdf5File(Handle file, std::string path)
+Hdf5File::Hdf5File(const Handle& file, std::string path)
     : Hdf5Group(file, file, path + ":/"), path_(std::move(path)) {}
 
 Hdf5File Hdf5File::open(const std::string& path) {

@@ -104,7 +104,7 @@ class Hdf5File : public Hdf5Group {
   void close();
 
  private:
-  Hdf5File(Handle file, std::string path);
+  Hdf5File(const Handle& file, std::string path);
   std::string path_;
 };
 
