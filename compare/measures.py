@@ -92,23 +92,50 @@ def history_difference(view: View) -> Measured:
 
 @measure
 def slope(view: View) -> Measured:
-    """Distance from 1 of the slope of log(error) against log(value), over all variants.
+    """Distance of the slope of log(error) against log(value), over all variants, from an order.
 
-    Options: `of` (a measure, with its own options), `value` (of the variants).
+    Options: `of` (a measure, with its own options), `value` (of the variants), `order` (1).
     """
     inner, value = MEASURES[view.option("of")], view.option("value")
-    points = []
-    for variant in view.case.variants_of(view.check):
-        found = inner(view.of(variant))
-        points.append((variant.values[value], found.error))
+    target = float(view.check.options.get("order", 1))
+    points = [(v.values[value], inner(view.of(v)).error)
+              for v in view.case.variants_of(view.check)]
     x, y = np.array(sorted(points)).T
     if len(x) < 3 or not (y > 0).all():
         raise CodeFailure(f"a slope needs three variants with an error above 0; errors {y}")
     order = float(np.polyfit(np.log(x), np.log(y), 1)[0])
-    plot = Plot(f"{view.case.title}: {view.check.quantity}", value, "relative difference",
+    plot = Plot(f"{view.case.title}: {view.check.quantity}", value, "error",
                 [Series(view.check.code, x, y, "o-"),
-                 Series("in proportion", x, y[-1] * x / x[-1], ":")], log_x=True, log_y=True)
-    return Measured(abs(order - 1), f"slope {order:.3f}", plot)
+                 Series(f"order {target:g}", x, y[-1] * (x / x[-1]) ** target, ":")],
+                log_x=True, log_y=True)
+    return Measured(abs(order - target), f"slope {order:.3f}", plot)
+
+
+def _history(view: View) -> tuple[Floats, Floats]:
+    result, name = view.tested, view.option("column")
+    if name not in result.history or len(result.history[name]) < 20:
+        raise CodeFailure(f"{result.code} has no 20 rows of {name} in its history")
+    return result.history["time"], result.history[name]
+
+
+@measure
+def history_swing(view: View) -> Measured:
+    """Root mean square of a column of the history (option `column`)."""
+    _, values = _history(view)
+    return Measured(float(np.sqrt(np.mean(values**2))))
+
+
+@measure
+def history_trend(view: View) -> Measured:
+    """Rise of a straight line through a column (option `column`) over the run / largest value."""
+    time, values = _history(view)
+    largest = float(np.abs(values).max())
+    if not largest > 0:
+        raise CodeFailure(f"{view.option('column')} is zero throughout")
+    rise = float(np.polyfit(time / time[-1], values, 1)[0])
+    plot = Plot(f"{view.case.title}: {view.variant.name}", "time, s", view.option("column"),
+                [Series(view.check.code, time, values, "-")])
+    return Measured(abs(rise) / largest, f"largest value {largest:.3g}", plot)
 
 
 @measure

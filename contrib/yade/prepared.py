@@ -125,36 +125,29 @@ def read_specimen(path: str | Path) -> Specimen:
         raise PreparedError(f"{path}: cannot be read as HDF5 ({error})") from error
 
 
-def _constant(function: Any, where: str) -> float:
+def _constant(function: dict[str, Any], where: str) -> float:
     """The value of a function of time that does not vary; PreparedError otherwise."""
-    if isinstance(function, (int, float)):
-        return float(function)
-    if isinstance(function, dict):
-        values = {float(v) for v in np.atleast_1d(function.get("value", []))}
-        if len(values) == 1 and not function.get("amplitude"):
-            return values.pop()
-    raise PreparedError(f"{where}: {function!r} varies with time; only constants are understood")
+    values = {float(v) for v in function["value"]}
+    if len(values) != 1 or function.get("amplitude"):
+        raise PreparedError(f"{where}: {function} varies with time; only constants are understood")
+    return values.pop()
 
 
-def _axis_velocity(axis: Any, where: str) -> float | None:
+def _axis_velocity(axis: dict[str, Any], where: str) -> float | None:
     """Velocity imposed along one axis, None when free; a displacement must be constant zero."""
-    if axis == "free" or axis is None or (isinstance(axis, dict) and axis.get("kind") == "free"):
+    if axis["kind"] == "free":
         return None
-    if not isinstance(axis, dict) or axis.get("kind") not in ("velocity", "displacement"):
-        raise PreparedError(f"{where}: {axis!r}; expected free, a velocity or a zero displacement")
-    value = _constant(axis if "function" not in axis else axis["function"], where)
+    if axis["kind"] not in ("velocity", "displacement"):
+        raise PreparedError(f"{where}: {axis}; expected free, a velocity or a zero displacement")
+    value = _constant(axis["function"], where)
     if axis["kind"] == "displacement" and value != 0:
         raise PreparedError(f"{where}: a jump of {value} m at the start; impose a velocity")
     return value
 
 
 def _grip(entry: dict[str, Any]) -> Grip:
-    where = f"grip {entry['name']}"
-    axes = entry.get("axes", entry.get("displacement"))
-    if not isinstance(axes, list) or len(axes) != 3:
-        raise PreparedError(f"{where}: {axes!r}; expected one entry for each of x, y, z")
-    x, y, z = (_axis_velocity(axis, where) for axis in axes)
-    return Grip(entry["name"], (x, y, z), entry.get("rotation", "fixed") == "fixed")
+    x, y, z = (_axis_velocity(axis, f"grip {entry['name']}") for axis in entry["axes"])
+    return Grip(entry["name"], (x, y, z), entry["rotation"] == "fixed")
 
 
 def parse_parameters(explained: dict[str, Any]) -> Parameters:

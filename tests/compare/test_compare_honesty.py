@@ -11,7 +11,7 @@ from typing import Callable
 
 import numpy as np
 import pytest
-from conftest import FakeCode, FakeStandalone, honest_result
+from fake_codes import FakeCode, FakeStandalone, honest_result
 
 from compare.__main__ import main
 from compare.codes.base import Job, run_program

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the YADE scripts cannot do, they say; they never leave a result that looks whole."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import h5py
+import pytest
+from prepared_bar import Bar, beam_task, heat_task, run_yade
+
+from compare.result import CodeFailure
+from contrib.yade.prepared import PreparedError, parse_parameters, read_specimen
+
+
+def refuses(bar: Path, task: dict[str, Any], directory: Path, words: str) -> None:
+    with pytest.raises(CodeFailure):
+        run_yade(bar, task, directory)
+    assert words in (directory / "output.log").read_text()
+    assert not (directory / "results" / "summary.json").exists()
+
+
+def test_missing_column(bar: Bar, tmp_path: Path) -> None:
+    copy = tmp_path / "prepared.h5"
+    shutil.copy(bar.path, copy)
+    with h5py.File(copy, "a") as file:
+        del file["mechanics/mass"]
+    refuses(copy, beam_task(bar, 1.0, 10), tmp_path / "run", "/mechanics/mass is missing")
+
+
+def test_periodic_body(bar: Bar, tmp_path: Path) -> None:
+    copy = tmp_path / "prepared.h5"
+    shutil.copy(bar.path, copy)
+    with h5py.File(copy, "a") as file:
+        file.create_group("domain").attrs["periodic"] = [1, 0, 0]
+    refuses(copy, heat_task(bar, 10), tmp_path / "run", "periodic")
+
+
+def test_nothing_to_simulate(bar: Bar, tmp_path: Path) -> None:
+    refuses(bar.path, {**heat_task(bar, 10), "laws": {}}, tmp_path, "neither beams nor conduction")
+
+
+@pytest.mark.parametrize("axis, words", [
+    ({"kind": "force", "function": {"value": [1.0]}}, "expected free"),
+    ({"kind": "velocity", "function": {"time": [0, 1], "value": [0, 1]}}, "varies with time"),
+    ({"kind": "velocity", "function": {"value": [0.0], "amplitude": 2.0}}, "varies with time"),
+    ({"kind": "displacement", "function": {"value": [1.0]}}, "impose a velocity"),
+])
+def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str) -> None:
+    task = beam_task(bar, 1.0, 10)
+    task["grips"][1]["axes"][0] = axis
+    with pytest.raises(PreparedError, match=words):
+        parse_parameters(task)
+
+
+def test_file_that_is_no_specimen(tmp_path: Path) -> None:
+    path = tmp_path / "noise.h5"
+    path.write_text("not HDF5")
+    with pytest.raises(PreparedError, match="noise.h5"):
+        read_specimen(path)
