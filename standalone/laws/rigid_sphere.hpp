@@ -16,8 +16,8 @@ constexpr Real sphere_inertia(const Real& mass, const Real& radius) {
 }
 
 /// The orientation after a time step at constant angular velocity ω (world axes, rad/s).
-/// Power series of cos and sin(φ)/φ of the half angle φ: round-off accurate for φ ≤ 1 (a third of a
-/// turn a step); the result is normalised, so it stays a rotation for any ω.
+/// Power series of cos and sin(φ)/φ of the half angle φ: accurate to round-off for turns of up to
+/// 0.8 rad a step; the result is normalised, so it stays a rotation for any ω.
 template <class Real>
 constexpr Quaternion<Real> turn(const Quaternion<Real>& orientation, const Vector3<Real>& omega,
                                 const Real& time_step) {

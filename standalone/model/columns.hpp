@@ -29,6 +29,7 @@ struct Column {
   }
 };
 
+/// A column is known by its address.
 namespace columns {
 
 using Layout = Column::Layout;

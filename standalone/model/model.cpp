@@ -19,7 +19,7 @@ std::size_t Model::size(const Column& column) const {
 
 const Model::Storage* Model::find(const Column& column) const {
   for (const Storage& storage : storage_)
-    if (std::string(storage.column->name) == column.name) return &storage;
+    if (storage.column == &column) return &storage;
   return nullptr;
 }
 
