@@ -112,6 +112,7 @@ class Liggghts:
             env={**os.environ, **self.environment},
             capture_output=True,
             text=True,
+            errors="replace",  # LIGGGHTS ends some error lines with stray bytes
             timeout=900,
         )
         said = done.stdout + done.stderr

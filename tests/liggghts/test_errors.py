@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Wrong input ends with a message that says what is wrong."""
+
+from pathlib import Path
+
+import pytest
+
+from liggghts_runs import HEADER, Liggghts, simple_cubic
+
+BODY = HEADER + "boundary f f f\nnewton off\nread_data body.data\nneighbor 1e-3 bin\npair_style none\n"
+BEAM = "bond_style solidem/beam\nbond_coeff 1 1e9 4e8 pair 0.3\n"
+HEAT = "fix heat all solidem/conduction law platonic conductivity 1 specific_heat 1 density 1 "
+WRONG = {
+    "negative modulus": (
+        "bond_style solidem/beam\nbond_coeff 1 -1e9 4e8 pair 0.3\n",
+        "Young's modulus must be positive",
+    ),
+    "negative radius": (
+        "bond_style solidem/beam\nbond_coeff 1 1e9 4e8 radius -1e-4\n",
+        "radius or ratio must be positive",
+    ),
+    "no radius": ("bond_style solidem/beam\nbond_coeff 1 1e9 4e8\n", "either 'radius R' or 'pair RATIO'"),
+    "misspelt keyword": (
+        "bond_style solidem/beam\nbond_coeff 1 1e9 4e8 par 0.3\n",
+        "'radius' or 'pair' must follow the moduli",
+    ),
+    "no memory for the bonds": (BEAM + "run 0\n", "needs one 'fix ID all solidem/bonds'"),
+    "bonds before the bond style": ("fix bonds all solidem/bonds\n", "comes after 'bond_style'"),
+    "bonds of a group": (
+        BEAM + "group some id 1\nfix bonds some solidem/bonds\n",
+        "must be used with group 'all'",
+    ),
+    "integrator without orientations": (
+        "fix motion all nve/solidem\nrun 0\n",
+        "needs the orientations of 'fix ID all solidem/bonds'",
+    ),
+    "no initial temperature": (HEAT + "\n", "needs all of"),
+    "unknown keyword": (HEAT + "initial_temprature 298\n", "unknown keyword 'initial_temprature'"),
+    "keyword without value": (HEAT + "initial_temperature\n", "keyword without value"),
+    "negative density": (
+        "fix heat all solidem/conduction law platonic density -1\n",
+        "density must be positive",
+    ),
+    "unknown law": ("fix heat all solidem/conduction law cubic\n", "the only law is 'platonic'"),
+    "temperature without conduction": (
+        "fix hot all solidem/temperature 300\nrun 0\n",
+        "needs a 'fix ID all solidem/conduction'",
+    ),
+    "temperature by no variable": (
+        HEAT + "initial_temperature 298\nfix hot all solidem/temperature v_warm\nrun 0\n",
+        "no variable named warm",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_wrong_input_is_told(liggghts: Liggghts, tmp_path: Path, case: str) -> None:
+    lines, message = WRONG[case]
+    simple_cubic((2, 2, 2), 1e-3).write(tmp_path / "body.data")
+    with pytest.raises(AssertionError) as failure:
+        liggghts.run(tmp_path, BODY + lines)
+    assert "ERROR" in str(failure.value)
+    assert message in str(failure.value)
