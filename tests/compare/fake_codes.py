@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
@@ -13,12 +12,9 @@ import h5py
 import numpy as np
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT))
-
-from compare.codes.base import Job, TwoSpheres, run_program  # noqa: E402
-from compare.codes.standalone import Standalone  # noqa: E402
-from compare.result import CodeFailure, Floats, Frame, Result  # noqa: E402
+from compare.codes.base import Job, TwoSpheres
+from compare.codes.standalone import Standalone
+from compare.result import CodeFailure, Floats, Frame, Result
 
 SCENE = """\
 title = "a rod"

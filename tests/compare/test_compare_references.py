@@ -7,7 +7,6 @@ import math
 
 import numpy as np
 import pytest
-from fake_codes import ROOT  # noqa: F401  (puts the tree on the path)
 
 from compare.references import beam_stiffness, finite_difference_step, rod_temperature
 from compare.result import CodeFailure

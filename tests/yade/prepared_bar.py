@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,12 +12,9 @@ import h5py
 import numpy as np
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT))
-
-from compare.codes.base import run_program  # noqa: E402
-from compare.result import Result, read_result  # noqa: E402
-from contrib.yade.prepared import Specimen, read_specimen  # noqa: E402
+from compare.codes.base import ROOT, run_program
+from compare.result import Result, read_result
+from contrib.yade.prepared import Specimen, read_specimen
 
 RADIUS = 1e-4
 YOUNG, SHEAR, RATIO = 3.5e12, 1.35e12, 0.3

@@ -3,11 +3,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
-from prepared_bar import ROOT  # noqa: F401  (puts the tree on the path)
 
 from compare.beam_modes import modes
 from compare.codes.base import TwoSpheres
