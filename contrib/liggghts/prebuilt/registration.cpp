@@ -59,9 +59,9 @@ Bond* Force::new_bond(const char* style, const char* suffix, int& suffix_used) {
     return new BondSolidemBeam(lmp);
   }
   typedef Bond* (*NewBond)(Force*, const char*, const char*, int&);
-  static const NewBond new_bond =
+  static const NewBond library_new_bond =
       reinterpret_cast<NewBond>(library_function("_ZN9LAMMPS_NS5Force8new_bondEPKcS2_Ri"));
-  return new_bond(this, style, suffix, suffix_used);
+  return library_new_bond(this, style, suffix, suffix_used);
 }
 
 void Modify::add_fix(int narg, char** arg, char* suffix) {
@@ -71,9 +71,9 @@ void Modify::add_fix(int narg, char** arg, char* suffix) {
   fixes["solidem/conduction"] = &create_fix<FixSolidemConduction>;
   fixes["solidem/temperature"] = &create_fix<FixSolidemTemperature>;
   typedef void (*AddFix)(Modify*, int, char**, char*);
-  static const AddFix add_fix =
+  static const AddFix library_add_fix =
       reinterpret_cast<AddFix>(library_function("_ZN9LAMMPS_NS6Modify7add_fixEiPPcS1_"));
-  add_fix(this, narg, arg, suffix);
+  library_add_fix(this, narg, arg, suffix);
 }
 
 }  // namespace LAMMPS_NS

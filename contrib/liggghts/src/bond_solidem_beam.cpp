@@ -43,7 +43,7 @@ void add(double* a, const Vector& b) {
 
 }  // namespace
 
-BondSolidemBeam::BondSolidemBeam(LAMMPS* lmp) : Bond(lmp), orientation(NULL) {
+BondSolidemBeam::BondSolidemBeam(LAMMPS* liggghts) : Bond(liggghts), orientation(NULL) {
   n_granhistory(4);
 }
 

@@ -20,8 +20,8 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-FixNVESolidem::FixNVESolidem(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), half_step_over_force_unit(0.0), step(0.0), orientation(NULL) {
+FixNVESolidem::FixNVESolidem(LAMMPS* liggghts, int narg, char** arg)
+    : Fix(liggghts, narg, arg), half_step_over_force_unit(0.0), step(0.0), orientation(NULL) {
   if (narg != 3) error->fix_error(FLERR, this, "takes no arguments");
   if (!atom->sphere_flag)
     error->fix_error(FLERR, this, "needs 'atom_style hybrid granular molecular'");

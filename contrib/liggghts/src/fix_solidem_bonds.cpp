@@ -28,8 +28,8 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-FixSolidemBonds::FixSolidemBonds(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), history(NULL), list_is_current(false) {
+FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
+    : Fix(liggghts, narg, arg), history(NULL), list_is_current(false) {
   if (narg != 3) error->fix_error(FLERR, this, "takes no arguments");
   if (igroup != 0) error->fix_error(FLERR, this, "must be used with group 'all'");
   if (!atom->avec->bonds_allow)
@@ -40,7 +40,7 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* lmp, int narg, char** arg)
 
   restart_global = 1;
   restart_peratom = 1;
-  history = new SolidemBondValues(lmp, atom->bond_hist, atom->n_bondhist);
+  history = new SolidemBondValues(liggghts, atom->bond_hist, atom->n_bondhist);
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);

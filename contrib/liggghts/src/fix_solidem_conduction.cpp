@@ -30,8 +30,8 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-FixSolidemConduction::FixSolidemConduction(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg),
+FixSolidemConduction::FixSolidemConduction(LAMMPS* liggghts, int narg, char** arg)
+    : Fix(liggghts, narg, arg),
       conductivity(0.0),
       specific_heat(0.0),
       density(0.0),
@@ -86,7 +86,7 @@ FixSolidemConduction::FixSolidemConduction(LAMMPS* lmp, int narg, char** arg)
   global_freq = 1;
   extscalar = 1;
   restart_peratom = 1;
-  rest_distances = new SolidemBondValues(lmp, rest_distance, 1);
+  rest_distances = new SolidemBondValues(liggghts, rest_distance, 1);
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);

@@ -25,8 +25,12 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-FixSolidemTemperature::FixSolidemTemperature(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), value(0.0), heat_supplied(0.0), conduction(NULL), temperature(NULL) {
+FixSolidemTemperature::FixSolidemTemperature(LAMMPS* liggghts, int narg, char** arg)
+    : Fix(liggghts, narg, arg),
+      value(0.0),
+      heat_supplied(0.0),
+      conduction(NULL),
+      temperature(NULL) {
   if (narg != 4) error->fix_error(FLERR, this, "takes one value: a temperature or v_NAME");
   if (strncmp(arg[3], "v_", 2) == 0)
     variable = arg[3] + 2;

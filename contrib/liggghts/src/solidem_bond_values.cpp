@@ -17,8 +17,8 @@
 
 using namespace LAMMPS_NS;
 
-SolidemBondValues::SolidemBondValues(LAMMPS* lmp, double***& array, int width)
-    : Pointers(lmp), array_(array), width_(width), bonds_per_atom_(0), rows_(0) {
+SolidemBondValues::SolidemBondValues(LAMMPS* liggghts, double***& array, int width)
+    : Pointers(liggghts), array_(array), width_(width), bonds_per_atom_(0), rows_(0) {
   array_ = NULL;
 }
 
