@@ -67,6 +67,7 @@ int run_scene(const RunCommand& command) {
     fmt::print("warning: the time step is beyond the stable limit {:.4g} s, as forced\n",
                simulation.time_step().limit);
   std::fflush(stdout);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to tell, not an end
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const bool completed = run(simulation, options);

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <system_error>
 
 #include "effects/kernels/kernels.hpp"
 #include "model/error.hpp"
 #include "output/checkpoint.hpp"
+#include "output/disk.hpp"
 #include "output/history.hpp"
 #include "output/progress.hpp"
 #include "output/summary.hpp"
@@ -66,12 +65,7 @@ class Recorder {
  public:
   Recorder(Simulation& simulation, const RunOptions& options)
       : simulation_(simulation), options_(options), seconds_(options.wall_seconds) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    fs::create_directories(options.directory, error);
-    if (error || !fs::is_directory(options.directory))
-      throw RunError(options.directory + ": cannot be made a directory for the results (" +
-                     error.message() + "); give another with --output");
+    prepare_directory(options.directory);
     if (options.resume) restore();
     first_step_ = simulation.step();
   }
