@@ -64,7 +64,11 @@ def simple_cubic(cells: tuple[int, int, int], radius: float, periodic: bool = Fa
     size = 2 * radius * np.array(cells, dtype=float)
     margin = 0.0 if periodic else 10 * radius
     return Body(
-        position, np.full(len(index), radius), np.concatenate(pairs), -margin + 0 * size, size + margin
+        position=position,
+        radius=np.full(len(index), radius),
+        pairs=np.concatenate(pairs),
+        lower=np.full(3, -margin),
+        upper=size + margin,
     )
 
 

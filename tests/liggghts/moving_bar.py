@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One scene with everything in it: a bonded bar that flies, spins, vibrates and conducts heat, through
-a fixed box, so that its atoms change processor while bonds cross between them. The conductivity is
-large enough for heat to spread in so short a time."""
+"""One scene with everything in it: a bonded bar that flies, spins, vibrates and conducts heat.
+
+It flies through a fixed box, so that its atoms change processor while bonds cross between them. The
+conductivity is large enough for heat to spread in so short a time.
+"""
 
 from pathlib import Path
 
@@ -32,7 +34,7 @@ COLUMNS += ["tqx", "tqy", "tqz", "f_Temp"] + [f"f_orientation[{k}]" for k in (1,
 
 
 def write_body(folder: Path, seed: int = 5) -> None:
-    """The bar with a random vibration on a rigid motion that takes it 2 mm and .4 rad in 100 steps."""
+    """The bar, vibrating at random while it flies 2 mm and turns by .4 rad in 100 steps."""
     body = simple_cubic(CELLS, RADIUS)
     random = np.random.default_rng(seed)
     body.position += 0.02 * RADIUS * random.normal(size=body.position.shape)

@@ -30,8 +30,8 @@ def frame(start: np.ndarray) -> np.ndarray:
 
 
 def stiffness_times(motion: np.ndarray) -> np.ndarray:
-    """End loads (F1, F2, M1, M2) of displacements and rotations (u1, u2, t1, t2), (4, 3), all in the
-    beam's frame: the linear Euler-Bernoulli beam."""
+    """The linear Euler-Bernoulli beam: end loads (F1, F2, M1, M2) of displacements and rotations
+    (u1, u2, t1, t2), each (4, 3) in the beam's frame."""
     u1, u2, t1, t2 = motion
     chord = np.array([0.0, -(u2 - u1)[2], (u2 - u1)[1]]) / LENGTH
     a, b = t1 - chord, t2 - chord
@@ -90,7 +90,8 @@ def loads_in_poses(
         script += dump(f"pose{k}", 1, "fx", "fy", "fz", "tqx", "tqy", "tqz")
         script += f"run 0\nundump pose{k}\n"
     said = liggghts.run(folder, script)
-    energies = [float(line.split()[2]) for line in said.splitlines() if line.split()[:2] == ["0", "2"]]
+    rows = [line.split() for line in said.splitlines() if line.split()[:2] == ["0", "2"]]
+    energies = [float(row[2]) for row in rows]
     frames = [read_dump(folder / f"pose{k}.txt")[0] for k in range(len(poses))]
     loads = [np.array([f[0, :3], f[1, :3], f[0, 3:], f[1, 3:]]) for f in frames]
     return np.array(loads), np.array(energies[1:])
@@ -201,7 +202,9 @@ def test_virial_is_that_of_the_forces(liggghts: Liggghts, tmp_path: Path) -> Non
         "fix bonds all solidem/bonds\ncompute p all pressure thermo_temp virial\n"
         "thermo_style custom step atoms vol c_p[1] c_p[2] c_p[3] c_p[4] c_p[5] c_p[6]\n"
         "thermo_modify format float %.17g norm no\nrun 0\n"
-        "set atom 2 x 1.7e-3 y 1.0e-3\n" + dump("pose", 1, "x", "y", "z", "fx", "fy", "fz") + "run 0\n"
+        "set atom 2 x 1.7e-3 y 1.0e-3\n"
+        + dump("pose", 1, "x", "y", "z", "fx", "fy", "fz")
+        + "run 0\n"
     )
     row = thermo(liggghts.run(tmp_path, script))[0]
     frame0 = read_dump(tmp_path / "pose.txt")[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Conduction along bonds: exact finite differences on a lattice, heat balance, imposed temperature."""
+"""Conduction along bonds: finite differences on a lattice, heat balance, imposed temperature."""
 
 from pathlib import Path
 
@@ -61,7 +61,9 @@ def test_heat_supplied_is_the_heat_gained(liggghts: Liggghts, tmp_path: Path) ->
         "variable warming equal 500+1e4*step*dt\n"
         "fix hot hot solidem/temperature v_warming\nfix cold cold solidem/temperature 298\n"
         "timestep 1e-4\nthermo 50\nthermo_style custom step atoms f_heat f_hot f_cold\n"
-        "thermo_modify format float %.17g norm no\n" + dump("temperature", 200, "f_Temp") + "run 200\n"
+        "thermo_modify format float %.17g norm no\n"
+        + dump("temperature", 200, "f_Temp")
+        + "run 200\n"
     )
     rows = thermo(liggghts.run(tmp_path, script))
     temperature = read_dump(tmp_path / "temperature.txt")
@@ -93,7 +95,7 @@ def test_an_unequal_pair_exchanges_what_the_law_says(liggghts: Liggghts, tmp_pat
     )
     liggghts.run(tmp_path, script)
     before, after = (read_dump(tmp_path / "temperature.txt")[n][:, 0] for n in (0, 1))
-    # One neighbour: the table's first slope goes on below four faces, S_nd = 6√3 - 3 (4 - 6√3)/2, and
+    # One neighbour: the table's first slope goes on below four faces, S_nd = 6√3 - 3 (4 - 6√3)/2;
     # the volume fraction is a quarter of diamond's, π√3/16.
     area = 6 * np.sqrt(3) - 3 * (4 - 6 * np.sqrt(3)) / 2
     power = area * radius.prod() * CONDUCTIVITY * (before[1] - before[0]) / 2.4e-3

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the documents promise: every style has a page and an example that runs, and the README's scripts
-run as printed."""
+"""What the documents promise: a page and an example that runs for every style, and the scripts of
+the README as printed."""
 
 import os
 import re
@@ -19,6 +19,8 @@ STYLES = sorted(
     for match in re.finditer(r"^(Bond|Fix)Style\((\S+),\w+\)$", header.read_text(), re.M)
 )
 
+SECTIONS = ("Syntax", "Examples", "Description", "Restrictions", "Related commands", "Default")
+
 
 def test_there_are_styles() -> None:
     assert "solidem/beam" in STYLES and "nve/solidem" in STYLES
@@ -28,7 +30,7 @@ def test_there_are_styles() -> None:
 def test_every_style_has_a_complete_page(style: str) -> None:
     kind = "bond" if style == "solidem/beam" else "fix"
     page = (CONTRIB / "doc" / f"{kind}_{style.replace('/', '_')}.txt").read_text()
-    for section in ("Syntax", "Examples", "Description", "Restrictions", "Related commands", "Default"):
+    for section in SECTIONS:
         assert f"[{section}:]" in page, f"{style}: no section {section}"
     assert re.search(r"\[Restart.*output.*:\]", page), f"{style}: nothing on restart and output"
 

@@ -7,7 +7,10 @@ import pytest
 
 from liggghts_runs import HEADER, Liggghts, simple_cubic
 
-BODY = HEADER + "boundary f f f\nnewton off\nread_data body.data\nneighbor 1e-3 bin\npair_style none\n"
+BODY = (
+    HEADER
+    + "boundary f f f\nnewton off\nread_data body.data\nneighbor 1e-3 bin\npair_style none\n"
+)
 BEAM = "bond_style solidem/beam\nbond_coeff 1 1e9 4e8 pair 0.3\n"
 HEAT = "fix heat all solidem/conduction law platonic conductivity 1 specific_heat 1 density 1 "
 WRONG = {
@@ -19,7 +22,10 @@ WRONG = {
         "bond_style solidem/beam\nbond_coeff 1 1e9 4e8 radius -1e-4\n",
         "radius or ratio must be positive",
     ),
-    "no radius": ("bond_style solidem/beam\nbond_coeff 1 1e9 4e8\n", "either 'radius R' or 'pair RATIO'"),
+    "no radius": (
+        "bond_style solidem/beam\nbond_coeff 1 1e9 4e8\n",
+        "either 'radius R' or 'pair RATIO'",
+    ),
     "misspelt keyword": (
         "bond_style solidem/beam\nbond_coeff 1 1e9 4e8 par 0.3\n",
         "'radius' or 'pair' must follow the moduli",

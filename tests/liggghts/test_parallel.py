@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Ranks, neighbour rebuilds, Newton's third law across processors, periodic faces: the same results."""
+"""The same results on any ranks, with neighbour rebuilds, newton on and off, periodic faces."""
 
 import re
 from pathlib import Path
@@ -64,8 +64,8 @@ def test_sorting_atoms_changes_nothing(
 def test_a_periodic_bar_flies_through_its_own_faces(
     liggghts: Liggghts, tmp_path: Path, ranks: int
 ) -> None:
-    """An endless bar that flies at constant velocity stays free of force, also where its bonds cross
-    the periodic faces; an initial vibration gives the same forces as in the bar at rest."""
+    """An endless bar vibrates alike at rest and in flight, while its bonds cross the periodic faces
+    at other places."""
     frames = []
     for name, speed in (("rest", 0.0), ("flight", 400.0)):
         folder = tmp_path / name

@@ -58,7 +58,8 @@ def test_a_restart_file_carries_everything(
     if written == "after the run":
         script += f"run {HALF}\nwrite_restart half.restart\n"
     else:
-        script += f"restart {HALF} step.*.restart\nrun {HALF + 10}\nshell mv step.{HALF}.restart half.restart\n"
+        script += f"restart {HALF} step.*.restart\nrun {HALF + 10}\n"
+        script += f"shell mv step.{HALF}.restart half.restart\n"
     moving_bar.write_body(tmp_path)
     first = thermo(liggghts.run(tmp_path, script, ranks))
     resumed = tmp_path / "resumed"

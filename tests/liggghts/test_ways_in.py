@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The program on the prebuilt library, the preload of the stock LIGGGHTS, and LIGGGHTS built from source
-with the styles dropped in: the same results."""
+"""The same results from the program on the prebuilt library, the preload of the stock LIGGGHTS, and
+LIGGGHTS built from source with the styles dropped in."""
 
 from pathlib import Path
 
