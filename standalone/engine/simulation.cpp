@@ -93,6 +93,7 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
 }
 
 Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
 
 std::vector<std::int32_t> Simulation::select_some(const std::string& name, const Region& region) {
   std::vector<std::int32_t> elements = select(region, model_.specimen());

@@ -42,6 +42,7 @@ class Simulation {
   /// region without elements, two grips that share elements, a time step beyond the limit.
   Simulation(const Setup& setup, Specimen specimen, bool force = false);
   ~Simulation();
+  Simulation(Simulation&&) noexcept;
 
   /// Runs so many time steps.
   void advance(std::int64_t steps);
