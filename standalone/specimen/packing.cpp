@@ -18,7 +18,7 @@ namespace solidem {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double precision = 0.02;  // of the equilibrium, see SoftSpheres::relax
+constexpr double precision = 0.01;  // of the equilibrium, see SoftSpheres::relax
 constexpr int most_steps = 20000;
 
 // Contacts per sphere gained per unit of solid fraction, near the target.
@@ -63,7 +63,6 @@ double radius_for(const Domain& domain, double elements, double spread) {
   return radius;
 }
 
-// How wide a body must be for its spheres, as text of an error; empty when it is wide enough.
 void insist_on_room(const Domain& domain, double mean_radius, const SpecimenRecipe& recipe) {
   const double diameter = 2.0 * mean_radius * (1.0 + recipe.radius_spread);
   const std::string what =
@@ -155,7 +154,7 @@ void compact(SoftSpheres& spheres, double fraction, double largest_factor,
       if (progress) progress(from + (to - from) * std::clamp(done, 0.0, 1.0), "packing spheres");
     };
   };
-  double factor = 1.0;
+  double factor = 1.0, step = 1.0, last_change = 0.0;
   spheres.relax(precision, most_steps, tell(0.0, 0.8));
   for (int round = 0; round < 40; ++round) {
     const double by_contacts =
@@ -163,7 +162,10 @@ void compact(SoftSpheres& spheres, double fraction, double largest_factor,
     const double by_overlap = 2.0 * fraction * (largest_mean_overlap - spheres.mean_overlap());
     const double change = std::clamp(std::min(by_contacts, by_overlap), -0.01, 0.01);
     if (std::abs(change) < tolerated_contacts / contacts_per_fraction) return;
-    double growth = std::cbrt(1.0 + change / fraction);
+    // Contacts jump where a packing just jams: overshooting halves the steps.
+    if (change * last_change < 0) step *= 0.5;
+    last_change = change;
+    double growth = std::cbrt(1.0 + step * change / fraction);
     growth = std::min(growth, largest_factor / factor);
     if (growth == 1.0) return;  // a sphere as wide as the body
     spheres.inflate(growth);
