@@ -7,6 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+import pytest
+
+CONTRIB = Path(__file__).resolve().parents[2] / "contrib" / "liggghts"
 
 HEADER = """units           si
 atom_style      hybrid granular molecular
@@ -14,6 +17,18 @@ atom_modify     map array sort 0 0
 communicate     single vel yes
 special_bonds   lj/coul 1 1 1
 """
+
+
+def built_paths(script: str, *arguments: str) -> dict[str, Path]:
+    """What a build script of contrib/liggghts says it built."""
+    done = subprocess.run(
+        [CONTRIB / script, *arguments], capture_output=True, text=True, timeout=7200
+    )
+    if done.returncode != 0:
+        pytest.fail(f"contrib/liggghts/{script} failed:\n{done.stderr[-3000:]}", pytrace=False)
+    return {
+        name: Path(path) for name, path in (line.split(" ", 1) for line in done.stdout.splitlines())
+    }
 
 
 @dataclass

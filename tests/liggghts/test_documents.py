@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from conftest import CONTRIB
+from liggghts_runs import CONTRIB
 from liggghts_runs import Liggghts, read_dump, simple_cubic
 
 STYLES = sorted(

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from conftest import CONTRIB, built_paths
+from liggghts_runs import CONTRIB, built_paths
 
 
 def install(*arguments: str) -> subprocess.CompletedProcess:

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import moving_bar
-from conftest import built_paths
-from liggghts_runs import Liggghts
+from liggghts_runs import Liggghts, built_paths
 from moving_bar import STEPS, beginning, largest_difference, state
 
 SCRIPT = beginning() + state() + f"run {STEPS}\n"
