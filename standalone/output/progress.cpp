@@ -36,7 +36,8 @@ ProgressBar::Style ProgressBar::style_for(std::FILE* stream) {
   return ::isatty(::fileno(stream)) != 0 ? Style::bar : Style::lines;
 }
 
-ProgressBar::ProgressBar(std::int64_t first_step, std::int64_t last_step, Style style, std::FILE* stream)
+ProgressBar::ProgressBar(std::int64_t first_step, std::int64_t last_step, Style style,
+                         std::FILE* stream)
     : first_step_(first_step),
       last_step_(last_step),
       style_(style),

@@ -25,7 +25,7 @@ class ProgressBar {
 
   /// A run from first_step (more than 0 after a resume) to last_step.
   ProgressBar(std::int64_t first_step, std::int64_t last_step, Style style,
-           std::FILE* stream = stderr);
+              std::FILE* stream = stderr);
 
   /// Ends the line of a bar.
   ~ProgressBar();
