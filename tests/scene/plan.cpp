@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What a scene does not name does not exist: the exact effects, columns and kernels of every scene
+// in the tree.
+#include "engine/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "scene/body.hpp"
+
+namespace solidem {
+namespace {
+
+using Names = std::set<std::string>;
+
+struct Expected {
+  Names effects, kernels, columns;
+};
+
+const Names motion = {"pose",         "velocity",        "angular_velocity",
+                      "inverse_mass", "inverse_inertia", "rest_direction",
+                      "rest_length"};
+const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};
+
+/// By the scene's path in the tree. A scene that is not listed here fails the test.
+const std::map<std::string, Expected> expected = {
+    {"compare/scenes/cylinder.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
+    {"compare/scenes/simple_cubic.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
+    {"compare/scenes/tension_bar.toml",
+     {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
+    {"compare/scenes/vibrating_bar.toml", {{"beams"}, {"move_beams"}, motion}},
+    {"docs/examples/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
+    {"docs/examples/simple_cubic.toml",
+     {{"conduction", "temperature cold", "temperature hot"}, {"conduct"}, heat}},
+    {"docs/examples/tension.toml", {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
+    {"docs/examples/two_materials.toml",
+     {{"conduction", "temperature cold", "temperature warm"}, {"conduct"}, heat}},
+    {"docs/examples/vibrating_bar.toml", {{"beams"}, {"move_beams"}, motion}},
+};
+
+std::vector<std::filesystem::path> scenes_in_the_tree() {
+  std::vector<std::filesystem::path> scenes;
+  for (const char* folder : {"docs/examples", "compare/scenes", "benchmarks"}) {
+    const std::filesystem::path root = std::filesystem::path(SOLIDEM_SOURCE_DIR) / folder;
+    if (!std::filesystem::exists(root)) continue;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
+      if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+  }
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+TEST(Plan, of_every_scene_in_the_tree_is_exactly_what_the_scene_names) {
+  std::size_t seen = 0;
+  for (const auto& path : scenes_in_the_tree()) {
+    const std::string name = std::filesystem::relative(path, SOLIDEM_SOURCE_DIR).generic_string();
+    const auto found = expected.find(name);
+    ASSERT_NE(found, expected.end()) << name << " is not listed in this test";
+    ++seen;
+    const Scene scene = read_scene(path.string());
+    const auto& periodic = scene.specimen.periodic;
+    const Plan plan = make_plan(scene.setup, periodic[0] || periodic[1] || periodic[2]);
+    Names effects, kernels, columns;
+    for (const PlannedEffect& effect : plan.effects) {
+      effects.insert(effect.name);
+      if (!effect.kernel.empty()) kernels.insert(effect.kernel);
+    }
+    for (const PlannedColumn& planned : plan.columns) columns.insert(planned.column->name);
+    EXPECT_EQ(effects, found->second.effects) << name;
+    EXPECT_EQ(kernels, found->second.kernels) << name;
+    EXPECT_EQ(columns, found->second.columns) << name;
+  }
+  EXPECT_EQ(seen, expected.size()) << "a scene listed in this test is gone";
+}
+
+TEST(Plan, is_all_that_a_simulation_allocates) {
+  Scene scene = read_scene(std::string(SOLIDEM_SOURCE_DIR) + "/docs/examples/simple_cubic.toml");
+  const Simulation simulation(scene.setup, make_body(scene));
+  Names columns;
+  for (const Column* column : simulation.model().columns()) columns.insert(column->name);
+  EXPECT_EQ(columns, heat);
+}
+
+}  // namespace
+}  // namespace solidem
