@@ -10,8 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from liggghts_runs import CONTRIB
-from liggghts_runs import Liggghts, read_dump, simple_cubic
+from liggghts_runs import CONTRIB, Liggghts, read_dump, simple_cubic
 
 STYLES = sorted(
     match.group(2)
