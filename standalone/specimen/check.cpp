@@ -43,7 +43,6 @@ void check_specimen(const Specimen& specimen, const std::string& origin) {
   if (specimen.radius.size() != n)
     throw InputError(
         fmt::format("{}: {} positions but {} radii", origin, n, specimen.radius.size()));
-  check_domain(specimen.domain, origin);
   for (std::size_t i = 0; i < n; ++i) {
     const Vector& p = specimen.position[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -54,6 +53,7 @@ void check_specimen(const Specimen& specimen, const std::string& origin) {
       throw InputError(fmt::format("{}: element {} has radius {} m: expected a number above zero",
                                    origin, i, radius));
   }
+  check_domain(specimen.domain, origin);
   for (std::size_t b = 0; b < specimen.bonds.size(); ++b) {
     const Pair& pair = specimen.bonds[b];
     if (pair.i < 0 || pair.j <= pair.i || static_cast<std::size_t>(pair.j) >= n)

@@ -81,7 +81,7 @@ void SoftSpheres::build_lists() {
   const std::size_t cell_count = cells.cell_count();
   const auto blocks = static_cast<std::ptrdiff_t>(std::min<std::size_t>(cell_count, 64));
   std::vector<std::vector<Pair>> found(static_cast<std::size_t>(blocks));
-#pragma omp parallel for schedule(dynamic) if (n > 5000)
+#pragma omp parallel for schedule(dynamic) if (n > 3000)
   for (std::ptrdiff_t block = 0; block < blocks; ++block) {
     const std::size_t first = cell_count * static_cast<std::size_t>(block) / blocks;
     const std::size_t last = cell_count * static_cast<std::size_t>(block + 1) / blocks;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Soft spheres pushed apart to rest: overlapping spheres repel each other, and walls repel spheres,
-// by a force equal to the overlap (unit stiffness, unit mass), and the energy is minimised with
-// FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006). Neighbour lists come from linked cells.
-// Sums over all elements run over fixed blocks in fixed order, so the result is the same on any
-// number of threads.
+// by a force equal to the overlap (unit stiffness, unit mass), and the
+// energy is minimised with FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006). Neighbour lists
+// come from linked cells. Sums over all elements run over fixed blocks in fixed order, so the
+// result is the same on any number of threads.
 #ifndef SOLIDEM_SPECIMEN_QUENCH_HPP
 #define SOLIDEM_SPECIMEN_QUENCH_HPP
 

@@ -7,9 +7,11 @@
 #include <omp.h>
 
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #include "model/error.hpp"
+#include "specimen/quench.hpp"
 #include "specimen/recipe.hpp"
 
 namespace solidem {
@@ -92,16 +94,20 @@ TEST(Packing, SpheresTouchWallsFromInside) {
   recipe.size = {5e-3, 3e-3, 2e-3};
   recipe.origin = {1e-3, -1.5e-3, 7e-3};
   const Specimen specimen = make_specimen(recipe);
-  double nearest = 1;
+  double overlap = 0;
+  int touching = 0;
   for (std::size_t i = 0; i < specimen.size(); ++i) {
     const Vector low = specimen.position[i] - specimen.domain.lower;
     const Vector high = specimen.domain.upper - specimen.position[i];
     const double gap =
         std::min({low.x, low.y, low.z, high.x, high.y, high.z}) / specimen.radius[i] - 1;
-    nearest = std::min(nearest, gap);
-    EXPECT_GT(gap, -0.1) << "element " << i;
+    EXPECT_GT(gap, -0.15) << "element " << i;
+    if (gap > 0) continue;
+    ++touching;
+    overlap -= gap;
   }
-  EXPECT_LT(nearest, 0.0);
+  EXPECT_GT(touching, 200);
+  EXPECT_LT(overlap / touching, 0.04);
 }
 
 TEST(Packing, CylinderAlongEachAxis) {
@@ -119,7 +125,7 @@ TEST(Packing, CylinderAlongEachAxis) {
     for (std::size_t i = 0; i < specimen.size(); ++i) {
       Vector p = specimen.position[i] - recipe.origin;
       double& along = *axis == 'x' ? p.x : *axis == 'y' ? p.y : p.z;
-      const double reach = 0.9 * specimen.radius[i];
+      const double reach = 0.85 * specimen.radius[i];
       EXPECT_GT(along, reach);
       EXPECT_LT(along, recipe.length - reach);
       along = 0;
@@ -136,24 +142,52 @@ TEST(Packing, MeanRadiusGivesTheNumberOfElements) {
   EXPECT_NEAR(mean_radius(specimen), 1e-4, 1e-6);
 }
 
-TEST(Packing, SameSeedSameSpecimenOnAnyNumberOfThreads) {
-  const int threads = omp_get_max_threads();
+void expect_same(const std::vector<Vector>& a, const std::vector<Vector>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(Vector)), 0);
+}
+
+class PackingThreads : public ::testing::Test {
+ protected:
+  void TearDown() override { omp_set_num_threads(before_); }
+
+ private:
+  int before_ = omp_get_max_threads();
+};
+
+TEST_F(PackingThreads, SameSeedSameSpecimen) {
   omp_set_num_threads(1);
-  SpecimenRecipe recipe = cube(6000);
-  recipe.size = {6e-3, 1e-3, 1e-3};
-  const Specimen alone = make_specimen(recipe);
-  for (const int count : {2, 4}) {
-    omp_set_num_threads(count);
-    const Specimen together = make_specimen(recipe);
-    EXPECT_EQ(together.radius, alone.radius);
-    EXPECT_EQ(together.bonds, alone.bonds);
-    for (std::size_t i = 0; i < alone.size(); ++i) {
-      ASSERT_EQ(together.position[i].x, alone.position[i].x);
-      ASSERT_EQ(together.position[i].y, alone.position[i].y);
-      ASSERT_EQ(together.position[i].z, alone.position[i].z);
-    }
-  }
-  omp_set_num_threads(threads);
+  const Specimen alone = make_specimen(cube(3200));
+  omp_set_num_threads(2);
+  const Specimen together = make_specimen(cube(3200));
+  expect_same(together.position, alone.position);
+  EXPECT_EQ(together.radius, alone.radius);
+  EXPECT_EQ(together.bonds, alone.bonds);
+}
+
+TEST_F(PackingThreads, SamePathOfSoftSpheres) {
+  const Specimen crystal = [] {
+    SpecimenRecipe recipe;
+    recipe.shape = "crystal";
+    recipe.lattice = "simple_cubic";
+    recipe.cells = {20, 20, 20};
+    recipe.element_radius = 1.0;
+    recipe.periodic = {true, false, true};
+    return make_specimen(recipe);
+  }();
+  std::vector<Vector> start = crystal.position;
+  for (std::size_t i = 0; i < start.size(); ++i)
+    start[i] += 0.4 * Vector{std::sin(1.0 * i), std::sin(2.0 * i), std::sin(3.0 * i)};
+  const auto end_on = [&](int threads) {
+    omp_set_num_threads(threads);
+    SoftSpheres spheres(crystal.domain, start, crystal.radius);
+    spheres.inflate(1.06);
+    EXPECT_EQ(spheres.relax(1e-9, 100), 100);
+    return spheres.position();
+  };
+  const std::vector<Vector> alone = end_on(1);
+  expect_same(end_on(2), alone);
+  expect_same(end_on(4), alone);
 }
 
 TEST(Packing, AnotherSeedMakesAnotherSpecimen) {
