@@ -8,7 +8,16 @@
 #include "model/error.hpp"
 #include "output/summary.hpp"
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 int main(int argc, char** argv) {
+#if defined(__GLIBC__)
+  // Arrays larger than this get pages of their own, which go back to the system when they are
+  // freed; left to itself glibc would soon keep them.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
   CLI::App app{"solidem: continuous solids as compact packings of spheres"};
   app.set_version_flag("--version", solidem::version());
   app.require_subcommand(1);

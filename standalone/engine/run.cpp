@@ -36,14 +36,6 @@ class Phase {
   Clock::time_point start_;
 };
 
-/// The specimen as the trajectory shows it: bonds are drawn where they carry loads; without motion
-/// their list is not worth its memory.
-Specimen drawn_specimen(const Model& model) {
-  Specimen specimen = model.specimen();
-  if (model.has(columns::pose)) specimen.bonds = model.slots().pairs();
-  return specimen;
-}
-
 std::vector<std::string> names_of(const HistoryRow& row) {
   std::vector<std::string> names;
   for (const auto& [name, value] : row.values) names.push_back(name);
@@ -123,7 +115,14 @@ class Recorder {
   void open() {
     const Phase phase(seconds_["output"]);
     const HistoryRow row = simulation_.observe();
-    const Specimen specimen = drawn_specimen(simulation_.model());
+    // Bonds are drawn where they carry loads; without motion their list is not worth its memory.
+    const Model& model = simulation_.model();
+    Specimen with_bonds;
+    if (model.has(columns::pose)) {
+      with_bonds = model.specimen();
+      with_bonds.bonds = model.slots().pairs();
+    }
+    const Specimen& specimen = model.has(columns::pose) ? with_bonds : model.specimen();
     if (options_.resume) {
       history_.emplace(HistoryWriter::resume(path("history.csv"), names_of(row), first_step_));
       if (simulation_.setup().output.frames > 0)

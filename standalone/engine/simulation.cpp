@@ -35,9 +35,27 @@ std::string place(const Specimen& specimen, std::size_t i) {
          text(p.z) + ") m";
 }
 
-/// The material of each element. Every element must lie in the region of exactly one.
+/// Figures by which a checkpoint knows the specimen that it was made of.
+std::vector<double> marks_of(const Model& model) {
+  Vector position{};
+  double radius = 0;
+  for (std::size_t i = 0; i < model.elements(); ++i) {
+    position += model.specimen().position[i];
+    radius += model.specimen().radius[i];
+  }
+  return {static_cast<double>(model.elements()),
+          static_cast<double>(model.slots().bonds()),
+          position.x,
+          position.y,
+          position.z,
+          radius};
+}
+
+/// The material of each element, or nothing where there is but one for all. Every element must lie
+/// in the region of exactly one.
 std::vector<std::size_t> assign_materials(const std::vector<Material>& materials,
                                           const Specimen& specimen) {
+  if (materials.size() == 1 && materials[0].region.kind == Region::Kind::all) return {};
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> material(specimen.size(), none);
   for (std::size_t m = 0; m < materials.size(); ++m)
@@ -74,6 +92,10 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
         if (setup.gauge) selections_["component"] = largest_component(specimen);
         return Model(std::move(specimen));
       }()) {
+  if (!setup_.beams && !setup_.conduction)
+    throw InputError(
+        "the scene names no effect, so there is nothing to simulate; add [beams] or "
+        "[conduction]");
   const Domain& domain = model_.specimen().domain;
   plan_ = make_plan(setup_, domain.periodic[0] || domain.periodic[1] || domain.periodic[2]);
   for (const PlannedColumn& planned : plan_.columns) model_.add(*planned.column);
@@ -264,6 +286,7 @@ std::map<std::string, std::vector<double>> Simulation::save() const {
       saved["effect." + plan_.effects[k].name] = sums;
   saved["initial_energy"] = {initial_energy_};
   saved["time_step"] = {time_step_.value};
+  saved["specimen"] = marks_of(model_);
   return saved;
 }
 
@@ -275,6 +298,9 @@ void Simulation::restore(std::int64_t step,
       throw InputError("the checkpoint has no " + name + ": it is of another scene");
     return found->second;
   };
+  if (find("specimen") != marks_of(model_))
+    throw InputError(
+        "the checkpoint was made of another specimen; resume with the one it began with");
   if (find("time_step").at(0) != time_step_.value)
     throw InputError("the checkpoint was made with a time step of " +
                      text(find("time_step").at(0)) + " s, the scene asks for " +

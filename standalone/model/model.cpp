@@ -8,7 +8,7 @@ namespace solidem {
 
 Model::Model(Specimen specimen)
     : specimen_(std::move(specimen)), slots_(specimen_.size(), specimen_.bonds) {
-  specimen_.bonds = {};
+  std::vector<Pair>().swap(specimen_.bonds);  // assigning {} would keep its memory
 }
 
 std::size_t Model::size(const Column& column) const {
