@@ -38,8 +38,12 @@ hid_t without_locks() {
   return *list;
 }
 
-// Errors are told by exceptions, not by the library's own print on the terminal.
-void silence() {
+// Before any other call to HDF5. Errors are told by exceptions, not by the library's own print on
+// the terminal. And the library must not tidy up at exit: our handles close what they opened, and a
+// file whose last write failed (a full disk) cannot be closed, on which the library's tidying
+// crashes the program.
+void prepare_library() {
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -330,7 +334,7 @@ Hdf5File::Hdf5File(const Handle& file, std::string path)
     : Hdf5Group(file, file, path + ":/"), path_(std::move(path)) {}
 
 Hdf5File Hdf5File::open(const std::string& path) {
-  silence();
+  prepare_library();
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
   if (std::filesystem::is_directory(path, error))
@@ -345,14 +349,14 @@ Hdf5File Hdf5File::open(const std::string& path) {
 }
 
 Hdf5File Hdf5File::open_for_writing(const std::string& path) {
-  silence();
+  prepare_library();
   const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, without_locks()), H5Fclose);
   if (*file < 0) throw RunError("cannot open " + path + " to add to it: " + reason());
   return {file, path};
 }
 
 Hdf5File Hdf5File::create(const std::string& path) {
-  silence();
+  prepare_library();
   const Handle file =
       owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, without_locks()), H5Fclose);
   if (*file < 0) throw RunError("cannot write " + path + ": " + reason());
