@@ -97,6 +97,8 @@ class CaseRuns:
 
     def _prepared(self, name: str) -> tuple[Job, dict[str, Any]]:
         if name not in self._jobs:
+            self._say(f"  {self.case.name} / {name}: specimen ...")
+            start = time.perf_counter()
             try:
                 self._jobs[name] = self._prepare(self.case.variant(name))
             except CodeFailure as failure:
@@ -104,6 +106,7 @@ class CaseRuns:
             except (PreparedError, OSError, KeyError, TypeError, ValueError) as error:
                 self._jobs[name] = CodeFailure(
                     f"not prepared: {type(error).__name__}: {error}")
+            self._done(self._jobs[name], start)
         job = self._jobs[name]
         if isinstance(job, CodeFailure):
             raise job
@@ -121,10 +124,10 @@ class CaseRuns:
         """The result of a code, run on first demand; CodeFailure says why there is none."""
         key = (variant, code)
         if key not in self._results:
+            job = self.job(variant)
             self._say(f"  {self.case.name} / {variant}: {code} ...")
             start = time.perf_counter()
             try:
-                job = self.job(variant)
                 folder = self.directory / _file_name(variant) / _file_name(code)
                 self._results[key] = self.code(code).run(job, folder).check()
             except CodeFailure as failure:
@@ -132,13 +135,15 @@ class CaseRuns:
             # An adaptor that breaks in a way nobody thought of is a failure, not an agreement.
             except Exception as error:  # noqa: BLE001
                 self._results[key] = CodeFailure(f"{code}: {type(error).__name__}: {error}")
-            result = self._results[key]
-            outcome = f"FAILED: {result}" if isinstance(result, CodeFailure) else "done"
-            self._say(f"    {outcome} ({time.perf_counter() - start:.1f} s)")
+            self._done(self._results[key], start)
         result = self._results[key]
         if isinstance(result, CodeFailure):
             raise result
         return result
+
+    def _done(self, outcome: object, start: float) -> None:
+        words = f"FAILED: {outcome}" if isinstance(outcome, CodeFailure) else "done"
+        self._say(f"    {words} ({time.perf_counter() - start:.1f} s)")
 
     def lines(self) -> list[RunLine]:
         """One line for each run that gave a result."""
