@@ -58,8 +58,7 @@ def field_difference(view: View) -> Measured:
         scale = float(np.linalg.norm(last - view.job.specimen.position, axis=1).max())
     if not scale > 0:
         raise CodeFailure("nothing moved, so there is no scale for the error")
-    plot = Plot(f"{view.case.title}: difference of {name} from {other.code}", "step",
-                f"largest difference / {scale:.3g}",
+    plot = Plot(f"difference of {name} from {other.code}", "step", "largest difference / scale",
                 [Series(f"{tested.code}, {view.variant.name}", np.array(steps[1:]),
                         np.array(errors[1:]) / scale, "o-")], log_y=True)
     return Measured(errors[-1] / scale, f"scale {scale:.3g}", plot)
@@ -84,8 +83,8 @@ def history_difference(view: View) -> Measured:
     if not scale > 0:
         raise CodeFailure(f"{name} is zero throughout in {other.code}")
     across = view.check.options.get("against", "step")
-    plot = Plot(f"{view.case.title}: {name}, {view.variant.name}", across, name,
-                [Series(other.code, other.history[across], other.history[name], "-"),
+    plot = Plot(f"{name}, {view.variant.name}", across, name,
+                [Series(other.code, other.history[across], other.history[name], wide=True),
                  Series(tested.code, tested.history[across], tested.history[name], "--")])
     return Measured(float(np.abs(a - b).max()) / scale, f"scale {scale:.3g}", plot)
 
@@ -104,7 +103,7 @@ def slope(view: View) -> Measured:
     if len(x) < 3 or not (y > 0).all():
         raise CodeFailure(f"a slope needs three variants with an error above 0; errors {y}")
     order = float(np.polyfit(np.log(x), np.log(y), 1)[0])
-    plot = Plot(f"{view.case.title}: {view.check.quantity}", value, "error",
+    plot = Plot(view.check.quantity, value, "error",
                 [Series(view.check.code, x, y, "o-"),
                  Series(f"order {target:g}", x, y[-1] * (x / x[-1]) ** target, ":")],
                 log_x=True, log_y=True)
@@ -133,7 +132,7 @@ def history_trend(view: View) -> Measured:
     if not largest > 0:
         raise CodeFailure(f"{view.option('column')} is zero throughout")
     rise = float(np.polyfit(time / time[-1], values, 1)[0])
-    plot = Plot(f"{view.case.title}: {view.variant.name}", "time, s", view.option("column"),
+    plot = Plot(view.variant.name, "time, s", view.option("column"),
                 [Series(view.check.code, time, values, "-")])
     return Measured(abs(rise) / largest, f"largest value {largest:.3g}", plot)
 
@@ -204,8 +203,9 @@ def rod_profile(view: View) -> Measured:
     found = np.bincount(bins, frame.columns["temperature"], 40) / count
     mean = np.bincount(bins, exact, 40) / count
     middle = (np.arange(40) + 0.5) / 40
-    plot = Plot(f"{view.case.title}: profile", "distance from the hot end / L", "temperature, K",
+    plot = Plot("profile along the rod", "distance from the hot end / L", "temperature, K",
                 [Series(f"exact, αt/L² = {target}", middle, mean, "-"),
-                 Series(f"{result.code}, αt/L² = {target}", middle, found, ".")])
+                 Series(f"{result.code}, αt/L² = {target}", middle, found, ".",
+                        colour_of_previous=True)])
     error = float(np.abs(found - mean).max() / abs(imposed - initial))
     return Measured(error, f"αt/L² = {frame.time * rate:.4f}", plot)

@@ -24,6 +24,7 @@ table { border-collapse: collapse; width: 100%; font-size: 14px; }
 th, td { padding: .3em .6em; text-align: left; border-bottom: 1px solid #dde3ea;
          vertical-align: top; }
 th { color: #5b6b7c; font-weight: 500; }
+td:first-child { white-space: nowrap; }
 td.number { font-variant-numeric: tabular-nums; text-align: right; white-space: nowrap; }
 .pass { color: #1a7f37; font-weight: 600; } .fail { color: #c62828; font-weight: 600; }
 tr.failed { background: #fdecea; }
@@ -37,14 +38,16 @@ def draw(plot: Plot) -> str:
     """A plot as SVG text."""
     figure, axes = plt.subplots(figsize=(6, 3.8), layout="constrained")
     for series in plot.series:
-        axes.plot(series.x, series.y, series.style, label=series.label, markersize=4, linewidth=1.4)
+        colour = axes.lines[-1].get_color() if series.colour_of_previous and axes.lines else None
+        axes.plot(series.x, series.y, series.style, label=series.label, markersize=4, color=colour,
+                  linewidth=6 if series.wide else 1.4, alpha=0.3 if series.wide else 1)
     axes.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
     axes.title.set_fontsize(10)
     if plot.log_x:
         axes.set_xscale("log")
     if plot.log_y and any((series.y > 0).any() for series in plot.series):
         axes.set_yscale("log")
-    axes.legend(fontsize=8, frameon=False)
+    axes.legend(fontsize=8, frameon=False, ncols=1 if len(plot.series) < 7 else 2)
     axes.spines[["top", "right"]].set_visible(False)
     text = io.StringIO()
     figure.savefig(text, format="svg", metadata={"Date": None})

@@ -17,6 +17,8 @@ class Series:
     x: Floats
     y: Floats
     style: str = "-"
+    wide: bool = False  #: a broad pale line, for what others should lie on
+    colour_of_previous: bool = False
 
 
 @dataclass
