@@ -12,7 +12,7 @@ const Specimen& packing() {
     SpecimenRecipe recipe;
     recipe.shape = "box";
     recipe.size = {1e-2, 1e-2, 1e-2};
-    recipe.elements = 5000;
+    recipe.elements = 1000;
     return make_specimen(recipe);
   }();
   return specimen;
