@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Soft spheres pushed apart to rest: overlapping spheres repel each other, and walls repel spheres,
-// by a force equal to the overlap (unit stiffness, unit mass), and the
-// energy is minimised with FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006). Neighbour lists
-// come from linked cells. Sums over all elements run over fixed blocks in fixed order, so the
+// Soft spheres pushed apart to rest. Two spheres whose centres are d apart, nearer than s = R_i +
+// R_j, repel each other with the force (s² − d²) d/8: for radii near 1 and small overlaps that is
+// the overlap, and it needs no root and no division. Walls repel by the overlap. The energy is
+// minimised with FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006) for unit masses. Neighbour
+// lists come from linked cells. Sums over all elements run over fixed blocks in fixed order, so the
 // result is the same on any number of threads.
 #ifndef SOLIDEM_SPECIMEN_QUENCH_HPP
 #define SOLIDEM_SPECIMEN_QUENCH_HPP
@@ -17,7 +18,7 @@
 
 namespace solidem {
 
-/// Spheres in a body with walls. Lengths in a unit near the mean radius.
+/// Spheres in a body with walls. Lengths in a unit that makes the mean radius about 1.
 class SoftSpheres {
  public:
   SoftSpheres(const Domain& domain, std::vector<Vector> position, std::vector<double> radius);
