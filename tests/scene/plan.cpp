@@ -29,6 +29,8 @@ const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};
 
 /// By the scene's path in the tree. A scene that is not listed here fails the test.
 const std::map<std::string, Expected> expected = {
+    {"benchmarks/speed/beams.toml", {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
+    {"benchmarks/speed/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/cylinder.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/simple_cubic.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/tension_bar.toml",
