@@ -12,7 +12,7 @@ from typing import Sequence
 from compare import page, table
 from compare.case import CaseError, find_cases, read_case
 from compare.codes import all_codes
-from compare.codes.base import ROOT, Code
+from compare.codes.base import Code
 from compare.evaluate import run_cases
 
 CASES = Path(__file__).parent / "cases"

@@ -24,7 +24,8 @@ Say = Callable[[str], None]
 
 def table_text(scene: str, name: str) -> str:
     """The text of a table [name] of a scene, header included; CodeFailure when there is none."""
-    found = re.search(rf"^\[{re.escape(name)}\].*?(?=^\[\[?[A-Za-z_]|\Z)", scene, re.MULTILINE | re.DOTALL)
+    found = re.search(rf"^\[{re.escape(name)}\].*?(?=^\[\[?[A-Za-z_]|\Z)", scene,
+                      re.MULTILINE | re.DOTALL)
     if not found:
         raise CodeFailure(f"the scene has no [{name}]")
     return found.group()

@@ -36,7 +36,8 @@ def _add_bodies(specimen: Specimen) -> None:
     # One common radius puts the contact point at mid-length, and makes every bonded pair overlap:
     # YADE drops an interaction that does not.
     common = float(specimen.rest_length.max()) if len(specimen.pairs) else specimen.radius.max()
-    O.bodies.append([utils.sphere(p, common, material=material) for p in specimen.position.tolist()])
+    O.bodies.append([utils.sphere(p, common, material=material)
+                     for p in specimen.position.tolist()])
     for body, m, j in zip(O.bodies, mass.tolist(), inertia.tolist()):
         body.state.mass, body.state.inertia = m, (j, j, j)
 

@@ -2,7 +2,7 @@
 """Heat conduction with any conductance for each pair, scripted: numpy called by YADE every step.
 
 YADE's ThermalEngine takes no conductance for a single pair, so laws with other areas (faces of
-Voronoi cells, say) come this way. YADE then drives the steps only; the law and the sums are numpy's.
+Voronoi cells, say) come this way. YADE then only drives the steps; law and sums are numpy's.
 Temperatures live in numpy arrays and are not part of YADE's own saved states.
 """
 
