@@ -53,10 +53,10 @@ int main(int argc, char** argv) {
   }
   Vector move_i, move_j, turn_i, turn_j;
   while (in >> move_i >> move_j >> turn_i >> turn_j) {
-    const solidem::BeamLoad<double> load = solidem::beam_load(
-        rigidity, length, 1 / length,
-        solidem::beam_pose((position_j + move_j) - (position_i + move_i), (1 / length) * rest,
-                           turned(turn_i), turned(turn_j)));
+    const solidem::BeamLoad<double> load =
+        solidem::beam_load(rigidity, length,
+                           solidem::beam_pose((position_j + move_j) - (position_i + move_i),
+                                              (1 / length) * rest, turned(turn_i), turned(turn_j)));
     const Vector loads[] = {load.force, -load.force, load.moment_i, load.moment_j};
     for (const Vector& v : loads) std::fprintf(out, "%.17g %.17g %.17g ", v.x, v.y, v.z);
     std::fprintf(out, "\n");

@@ -35,10 +35,8 @@ class Beams : public Effect {
     BeamRigidity<double> rigidity;
     double rest_length;
     BeamPose<double> pose;
-    BeamLoad<double> load() const {
-      return beam_load(rigidity, rest_length, 1 / rest_length, pose);
-    }
-    double energy() const { return beam_energy(rigidity, rest_length, 1 / rest_length, pose); }
+    BeamLoad<double> load() const { return beam_load(rigidity, rest_length, pose); }
+    double energy() const { return beam_energy(rigidity, rest_length, pose); }
   };
 
   /// The bond in a slot.

@@ -87,15 +87,18 @@ struct BeamLoad {
   Vector3<Real> moment_j;  ///< on j, N·m
 };
 
-/// End loads of the beam. `inverse_rest_length` is 1/l. A chord of length zero gives finite loads.
+/// End loads of the beam. A chord of length zero gives finite loads.
 template <class Real>
 constexpr BeamLoad<Real> beam_load(const BeamRigidity<Real>& rigidity, const Real& rest_length,
-                                   const Real& inverse_rest_length, const BeamPose<Real>& pose) {
+                                   const BeamPose<Real>& pose) {
   using std::sqrt;
   const Real tiny{1e-300};
-  const Real inverse_length = Real{1.0} / sqrt(dot(pose.chord, pose.chord) + tiny);
+  const Real length = sqrt(dot(pose.chord, pose.chord) + tiny);
+  // One division, the slowest thing here, serves both reciprocals.
+  const Real inverse_of_both = Real{1.0} / (length * rest_length);
+  const Real inverse_length = inverse_of_both * rest_length;
+  const Real inverse_rest_length = inverse_of_both * length;
   const Vector3<Real> x = inverse_length * pose.chord;
-  const Real length = dot(pose.chord, x);
   const Real tension = rigidity.axial * (length - rest_length) * inverse_rest_length;
   const Real bending = rigidity.bending * inverse_rest_length;
   const Real torsion = rigidity.torsion * inverse_rest_length;
@@ -117,7 +120,7 @@ constexpr BeamLoad<Real> beam_load(const BeamRigidity<Real>& rigidity, const Rea
 /// Elastic energy U of the beam, J; squares of differences keep it accurate in the smallest motion.
 template <class Real>
 constexpr Real beam_energy(const BeamRigidity<Real>& rigidity, const Real& rest_length,
-                           const Real& inverse_rest_length, const BeamPose<Real>& pose) {
+                           const BeamPose<Real>& pose) {
   using std::sqrt;
   const Real tiny{1e-300};
   const Real length = sqrt(dot(pose.chord, pose.chord) + tiny);
@@ -127,7 +130,7 @@ constexpr Real beam_energy(const BeamRigidity<Real>& rigidity, const Real& rest_
   const Vector3<Real> e_ij = pose.normal_j - pose.normal_i;
   const Real half_twist = dot(pose.relative_turn.v, pose.normal_i);
   const Real half{0.5};
-  return inverse_rest_length *
+  return Real{1.0} / rest_length *
          (half * rigidity.axial * stretch * stretch +
           half * rigidity.bending *
               (Real{3.0} * (dot(e_i, e_i) + dot(e_j, e_j)) - dot(e_ij, e_ij)) +

@@ -39,7 +39,7 @@ BeamRigidity<Real> rigidity() {
 
 template <class Real>
 Loads<Real> loads_of(const std::array<Real, 12>& u) {
-  const BeamLoad<Real> load = beam_load<Real>(rigidity<Real>(), l, 1 / l, pose_of(u));
+  const BeamLoad<Real> load = beam_load<Real>(rigidity<Real>(), l, pose_of(u));
   return {load.force, -load.force, load.moment_i, load.moment_j};
 }
 
@@ -130,7 +130,7 @@ TEST(EulerBernoulliBeam, loads_are_the_gradient_of_the_energy) {
       };
       const Quaternion<Dual> relative{Dual{pose.relative_turn.w}, dual(pose.relative_turn.v)};
       p.relative_turn = half(9) * relative * conjugate(half(6));
-      const Dual energy = beam_energy<Dual>(rigidity<Dual>(), Dual{l}, Dual{1 / l}, p);
+      const Dual energy = beam_energy<Dual>(rigidity<Dual>(), Dual{l}, p);
       const double scale = k < 6 ? largest / l : largest;
       EXPECT_NEAR(-energy.derivative, expected[k], 1e-9 * scale) << size << " " << k;
     }
@@ -145,7 +145,7 @@ TEST(EulerBernoulliBeam, rigid_motion_of_any_size_gives_no_load) {
     for (int n = 0; n < 100; ++n) q = turn(q, axis, 0.01);
     const Vector chord = rotate(q, Vector{l, 0, 0});
     const auto load =
-        beam_load<double>(rigidity<double>(), l, 1 / l, beam_pose<double>(chord, {1, 0, 0}, q, q));
+        beam_load<double>(rigidity<double>(), l, beam_pose<double>(chord, {1, 0, 0}, q, q));
     EXPECT_LT(norm(load.force), 1e-12 * ES) << angle;
     EXPECT_LT(norm(load.moment_i), 1e-12 * ES * l) << angle;
     EXPECT_LT(norm(load.moment_j), 1e-12 * ES * l) << angle;
@@ -158,8 +158,8 @@ TEST(EulerBernoulliBeam, either_end_sees_the_same_beam) {
     const BeamPose<double> pose = pose_of(u);
     const Quaternion<double> qi = turn(Quaternion<double>{}, {u[6], u[7], u[8]}, 1.0);
     const Quaternion<double> qj = turn(Quaternion<double>{}, {u[9], u[10], u[11]}, 1.0);
-    const auto from_i = beam_load<double>(rigidity<double>(), l, 1 / l, pose);
-    const auto from_j = beam_load<double>(rigidity<double>(), l, 1 / l,
+    const auto from_i = beam_load<double>(rigidity<double>(), l, pose);
+    const auto from_j = beam_load<double>(rigidity<double>(), l,
                                           beam_pose<double>(-pose.chord, {-1, 0, 0}, qj, qi));
     EXPECT_LT(norm(from_i.force + from_j.force), 1e-14 * norm(from_i.force));
     EXPECT_LT(norm(from_i.moment_i - from_j.moment_j), 1e-13 * norm(from_i.moment_i));
@@ -171,7 +171,7 @@ TEST(EulerBernoulliBeam, keeps_angular_momentum) {
   for (const double size : {1e-3, 0.5, 1.5}) {
     const State u = arbitrary(size);
     const BeamPose<double> pose = pose_of(u);
-    const auto load = beam_load<double>(rigidity<double>(), l, 1 / l, pose);
+    const auto load = beam_load<double>(rigidity<double>(), l, pose);
     const Vector sum = load.moment_i + load.moment_j - cross(pose.chord, load.force);
     EXPECT_LT(norm(sum), 1e-14 * (norm(load.moment_i) + norm(load.moment_j))) << size;
   }

@@ -97,9 +97,7 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
     const solidem::BeamPose<double> pose = solidem::beam_pose(
         chord, vector(rest), orientation_of(turned[i]), orientation_of(turned[j]));
     const double rest_length = rest[3];
-    const double inverse_rest_length = 1.0 / rest_length;
-    const solidem::BeamLoad<double> load =
-        solidem::beam_load(rigidity, rest_length, inverse_rest_length, pose);
+    const solidem::BeamLoad<double> load = solidem::beam_load(rigidity, rest_length, pose);
 
     if (newton_bond || i < nlocal) {
       add(f[i], load.force);
@@ -110,8 +108,7 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
       add(torque[j], load.moment_j);
     }
     if (evflag) {
-      const double energy_of_bond =
-          eflag ? solidem::beam_energy(rigidity, rest_length, inverse_rest_length, pose) : 0.0;
+      const double energy_of_bond = eflag ? solidem::beam_energy(rigidity, rest_length, pose) : 0.0;
       const double d[3] = {-chord.x, -chord.y, -chord.z};
       const double force_i[3] = {load.force.x, load.force.y, load.force.z};
       tally(i, j, energy_of_bond, d, force_i);

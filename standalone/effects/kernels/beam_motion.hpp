@@ -73,7 +73,7 @@ void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
         BeamRigidity<Pack> rigidity = uniform;
         if constexpr (radius_from_pair)
           rigidity = rigidity_of_radius(m.rigidity, Pack::load(m.bond_radius + slot));
-        const BeamLoad<Pack> load = beam_load(rigidity, rest_length, Pack(1.0) / rest_length, pose);
+        const BeamLoad<Pack> load = beam_load(rigidity, rest_length, pose);
         force += load.force;
         moment += load.moment_i;
       }
