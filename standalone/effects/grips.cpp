@@ -7,13 +7,6 @@ namespace {
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-double& component(Vector& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-double component(const Vector& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 }  // namespace
 
 Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,

@@ -8,14 +8,6 @@
 
 namespace solidem {
 
-namespace {
-
-double component(const Vector& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-}  // namespace
-
 GaugeSection::GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& component_elements,
                            const Beams& beams, const Model& model)
     : gauge_(gauge),

@@ -82,6 +82,18 @@ std::vector<double> property(const std::vector<Material>& materials,
   return values;
 }
 
+/// Notes who holds which element. Throws InputError when another one holds it already.
+void claim(std::map<std::int32_t, std::string>& holders, const std::vector<std::int32_t>& elements,
+           const std::string& section, const std::string& name, const Specimen& specimen) {
+  for (const std::int32_t e : elements) {
+    const auto [holder, alone] = holders.emplace(e, name);
+    if (!alone)
+      throw InputError(section + " \"" + name + "\" and \"" + holder->second +
+                       "\" share elements, " + place(specimen, static_cast<std::size_t>(e)) +
+                       " for one; their regions must not overlap");
+  }
+}
+
 }  // namespace
 
 Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
@@ -146,14 +158,7 @@ void Simulation::add_motion(const std::vector<double>& density) {
   std::map<std::int32_t, std::string> gripped;
   for (const GripParameters& grip : setup_.grips) {
     std::vector<std::int32_t> elements = select_some("grip." + grip.name, grip.region);
-    for (const std::int32_t e : elements) {
-      const auto [other, alone] = gripped.emplace(e, grip.name);
-      if (!alone)
-        throw InputError("[[grips]] \"" + grip.name + "\" and \"" + other->second +
-                         "\" share elements, " +
-                         place(model_.specimen(), static_cast<std::size_t>(e)) +
-                         " for one; their regions must not overlap");
-    }
+    claim(gripped, elements, "[[grips]]", grip.name, model_.specimen());
     effects_.push_back(std::make_unique<Grip>(grip, std::move(elements), mass, model_));
   }
 }
@@ -165,14 +170,7 @@ void Simulation::add_heat(const ThermalProperties& properties) {
   std::map<std::int32_t, std::string> heated;
   for (const ImposedTemperatureParameters& imposed : setup_.temperatures) {
     std::vector<std::int32_t> elements = select_some("temperature." + imposed.name, imposed.region);
-    for (const std::int32_t e : elements) {
-      const auto [other, alone] = heated.emplace(e, imposed.name);
-      if (!alone)
-        throw InputError("[[temperatures]] \"" + imposed.name + "\" and \"" + other->second +
-                         "\" share elements, " +
-                         place(model_.specimen(), static_cast<std::size_t>(e)) +
-                         " for one; their regions must not overlap");
-    }
+    claim(heated, elements, "[[temperatures]]", imposed.name, model_.specimen());
     effects_.push_back(std::make_unique<ImposedTemperature>(imposed, std::move(elements), model_));
   }
 }

@@ -28,6 +28,16 @@ struct Vector3 {
   constexpr Vector3& operator-=(const Vector3& b) { return *this = *this - b; }
 };
 
+/// The component along an axis: 0, 1, 2 for x, y, z.
+template <class Real>
+constexpr Real& component(Vector3<Real>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+template <class Real>
+constexpr const Real& component(const Vector3<Real>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
 template <class Real>
 constexpr Real dot(const Vector3<Real>& a, const Vector3<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

@@ -7,10 +7,6 @@ namespace solidem {
 
 namespace {
 
-double component(const Vector& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 bool inside(const Vector& p, const Vector& lower, const Vector& upper) {
   return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && lower.z <= p.z &&
          p.z <= upper.z;

@@ -67,14 +67,6 @@ class LinkedCells {
 std::vector<Pair> neighbour_pairs(const CellBox& box, const std::vector<Vector>& position,
                                   const std::vector<double>& radius, double tolerance);
 
-/// a + c·e with the component of an axis: 0, 1, 2 for x, y, z.
-inline double component(const Vector& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-inline double& component(Vector& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 // ---------------------------------------------------------------------------------------------------
 
 inline Vector LinkedCells::chord(const Vector& from, const Vector& to) const {

@@ -123,11 +123,6 @@ Rule triple(const std::string& expected_entry,
 /// Three quantities.
 Rule vector(Vector& place, const Dimension& dimension, const Range& range = anything);
 
-/// The component of a vector along 0, 1, 2.
-inline double& component(Vector& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 }  // namespace solidem
 
 #endif

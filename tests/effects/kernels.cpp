@@ -13,30 +13,7 @@
 
 namespace solidem {
 
-namespace baseline {
-extern const Kernels kernels;
-}
-#if defined(__x86_64__)
-namespace x86_64_v3 {
-extern const Kernels kernels;
-}
-namespace x86_64_v4 {
-extern const Kernels kernels;
-}
-#endif
-
 namespace {
-
-std::vector<const Kernels*> usable() {
-  std::vector<const Kernels*> all = {&baseline::kernels};
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    all.push_back(&x86_64_v3::kernels);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    all.push_back(&x86_64_v4::kernels);
-#endif
-  return all;
-}
 
 /// Moves and turns every element by a little, the same in every run.
 void disturb(Model& model, double size) {
@@ -79,7 +56,7 @@ TEST_P(BeamKernel, gives_the_accelerations_of_the_law) {
                             norm(seen.motion.moment[i]) * model.data(columns::inverse_inertia)[i]);
   }
   ASSERT_GT(largest, 0);
-  for (const Kernels* kernels : usable()) {
+  for (const Kernels* kernels : usable_kernels()) {
     double* velocity = model.data(columns::velocity);
     double* spin = model.data(columns::angular_velocity);
     std::fill(velocity, velocity + model.size(columns::velocity), 0.0);
@@ -148,7 +125,7 @@ TEST(HeatKernel, gives_the_rates_of_the_law) {
         (temperature[j] - temperature[i]) * model.data(columns::inverse_heat_capacity)[i];
   });
   const double dt = 1e-6;
-  for (const Kernels* kernels : usable()) {
+  for (const Kernels* kernels : usable_kernels()) {
     kernels->conduct({model.slots().first_row(), model.slots().neighbours(), temperature,
                       model.next(columns::temperature), model.data(columns::inverse_heat_capacity),
                       model.data(columns::conductance), dt},

@@ -19,35 +19,32 @@ extern const Kernels kernels;
 }
 #endif
 
+std::vector<const Kernels*> usable_kernels() {
+  std::vector<const Kernels*> usable;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512cd"))
+    usable.push_back(&x86_64_v4::kernels);
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+      __builtin_cpu_supports("bmi2"))
+    usable.push_back(&x86_64_v3::kernels);
+#endif
+  usable.push_back(&baseline::kernels);
+  return usable;
+}
+
 namespace {
 
-struct Candidate {
-  const Kernels* kernels;
-  bool usable;
-};
-
 const Kernels& choose() {
-  const Candidate candidates[] = {
-#if defined(__x86_64__)
-    {&x86_64_v4::kernels, __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                              __builtin_cpu_supports("avx512bw") &&
-                              __builtin_cpu_supports("avx512dq") &&
-                              __builtin_cpu_supports("avx512cd")},
-    {&x86_64_v3::kernels, __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-                              __builtin_cpu_supports("bmi2")},
-#endif
-    {&baseline::kernels, true},
-  };
   const char* asked = std::getenv("SOLIDEM_INSTRUCTION_SET");
-  std::string usable;
-  for (const Candidate& candidate : candidates) {
-    if (!candidate.usable) continue;
-    if (asked == nullptr || std::string(asked) == candidate.kernels->instruction_set)
-      return *candidate.kernels;
-    usable += std::string(" ") + candidate.kernels->instruction_set;
+  std::string names;
+  for (const Kernels* candidate : usable_kernels()) {
+    if (asked == nullptr || std::string(asked) == candidate->instruction_set) return *candidate;
+    names += std::string(" ") + candidate->instruction_set;
   }
   throw InputError("SOLIDEM_INSTRUCTION_SET=" + std::string(asked) +
-                   ": unknown, or this machine lacks it; usable here:" + usable);
+                   ": unknown, or this machine lacks it; usable here:" + names);
 }
 
 }  // namespace

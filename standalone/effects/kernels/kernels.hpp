@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "laws/euler_bernoulli_beam.hpp"
 
@@ -49,6 +50,9 @@ struct Kernels {
   /// Explicit Euler step of the temperatures.
   void (*conduct)(const HeatFlow&, std::size_t first, std::size_t last);
 };
+
+/// The kernels that this machine can run, the best first.
+std::vector<const Kernels*> usable_kernels();
 
 /// The kernels for this machine's best instruction set; the environment variable
 /// SOLIDEM_INSTRUCTION_SET (baseline, x86_64_v3, x86_64_v4) asks for another.
