@@ -14,7 +14,7 @@ from compare.result import CodeFailure, Floats, Result, read_result
 def _default_program() -> Path:
     """The program built by the release preset, or what SOLIDEM_PROGRAM names."""
     return Path(os.environ.get("SOLIDEM_PROGRAM",
-                               ROOT / "build" / "release" / "standalone" / "solidem"))
+                               ROOT / "build" / "release" / "solidem"))
 
 
 @dataclass

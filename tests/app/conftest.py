@@ -18,7 +18,7 @@ class Program:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.path = Path(os.environ.get("SOLIDEM_PROGRAM",
-                                        ROOT / "build" / "release" / "standalone" / "solidem"))
+                                        ROOT / "build" / "release" / "solidem"))
         assert os.access(self.path, os.X_OK), f"{self.path} is not there; build it first"
 
     def __call__(self, *words: str | Path, **options: object) -> subprocess.CompletedProcess[str]:
