@@ -140,7 +140,7 @@ class Liggghts:
 
 
 def thermo(said: str) -> np.ndarray:
-    """The rows of the last thermo table that LIGGGHTS printed."""
+    """The rows of the last thermo table that LIGGGHTS printed; other words among them are not its."""
     tables: list[list[list[float]]] = []
     inside = False
     for line in said.splitlines():
@@ -151,5 +151,8 @@ def thermo(said: str) -> np.ndarray:
         elif line.startswith("Loop time"):
             inside = False
         elif inside:
-            tables[-1].append([float(word) for word in words])
+            try:
+                tables[-1].append([float(word) for word in words])
+            except ValueError:  # the launcher of the ranks speaks at any time
+                continue
     return np.array(tables[-1])
