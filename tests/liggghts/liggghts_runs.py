@@ -150,7 +150,7 @@ def thermo(said: str) -> np.ndarray:
             inside = True
         elif line.startswith("Loop time"):
             inside = False
-        elif inside:
+        elif inside and words:
             try:
                 tables[-1].append([float(word) for word in words])
             except ValueError:  # the launcher of the ranks speaks at any time
