@@ -85,12 +85,14 @@ std::vector<double> property(const std::vector<Material>& materials,
 /// Notes who holds which element. Throws InputError when another one holds it already.
 void claim(std::map<std::int32_t, std::string>& holders, const std::vector<std::int32_t>& elements,
            const std::string& section, const std::string& name, const Specimen& specimen) {
-  for (const std::int32_t e : elements) {
-    const auto [holder, alone] = holders.emplace(e, name);
-    if (!alone)
-      throw InputError(section + " \"" + name + "\" and \"" + holder->second +
-                       "\" share elements, " + place(specimen, static_cast<std::size_t>(e)) +
-                       " for one; their regions must not overlap");
+  const auto refuse = [&](std::int32_t element, const std::string& holder) {
+    throw InputError(section + " \"" + name + "\" and \"" + holder + "\" share elements, " +
+                     place(specimen, static_cast<std::size_t>(element)) +
+                     " for one; their regions must not overlap");
+  };
+  for (const std::int32_t element : elements) {
+    const auto [holder, alone] = holders.emplace(element, name);
+    if (!alone) refuse(element, holder->second);
   }
 }
 

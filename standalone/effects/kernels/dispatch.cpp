@@ -37,13 +37,14 @@ std::vector<const Kernels*> usable_kernels() {
 namespace {
 
 const Kernels& choose() {
-  const char* asked = std::getenv("SOLIDEM_INSTRUCTION_SET");
+  const char* variable = std::getenv("SOLIDEM_INSTRUCTION_SET");
+  const std::string asked = variable == nullptr ? "" : variable;
   std::string names;
   for (const Kernels* candidate : usable_kernels()) {
-    if (asked == nullptr || std::string(asked) == candidate->instruction_set) return *candidate;
+    if (asked.empty() || asked == candidate->instruction_set) return *candidate;
     names += std::string(" ") + candidate->instruction_set;
   }
-  throw InputError("SOLIDEM_INSTRUCTION_SET=" + std::string(asked) +
+  throw InputError("SOLIDEM_INSTRUCTION_SET=" + asked +
                    ": unknown, or this machine lacks it; usable here:" + names);
 }
 
