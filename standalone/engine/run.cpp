@@ -97,13 +97,13 @@ class Recorder {
         if (target % checkpoint_every == 0) write_checkpoint();
         progress.update(target);
       }
+      if (history_->last_step() != simulation_.step()) write_row();
+      write_checkpoint();
     } catch (const RunError& error) {
       summarise(false, error.what());
       throw;
     }
     const bool completed = simulation_.step() >= last;
-    if (!completed && history_->last_step() != simulation_.step()) write_row();
-    write_checkpoint();
     summarise(completed, completed ? "" : "interrupted");
     return completed;
   }
