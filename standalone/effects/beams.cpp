@@ -32,11 +32,6 @@ void set_lanes_vector(double* column, std::size_t at, const Vector& v) {
   column[at + std::size_t{2} * lanes] = v.z;
 }
 
-BeamRigidity<double> scaled_rigidity(const BeamRigidity<double>& unit, double radius) {
-  const double r2 = radius * radius;
-  return {unit.axial * r2, unit.bending * r2 * r2, unit.torsion * r2 * r2};
-}
-
 }  // namespace
 
 std::vector<const Column*> Beams::columns(const BeamParameters& parameters, bool periodic) {
@@ -130,7 +125,7 @@ Beams::Bond Beams::bond(const Model& model, std::int32_t i, std::int32_t j, std:
               beam_pose(chord, lanes_vector(model.data(columns::rest_direction), slot3),
                         pose_orientation(row_i), pose_orientation(row_j))};
   if (model.has(columns::bond_radius))
-    result.rigidity = scaled_rigidity(
+    result.rigidity = beam_rigidity_of_radius(
         rigidity_,
         model.data(columns::bond_radius)[Model::at_slot(columns::bond_radius, row, lane)]);
   return result;

@@ -60,6 +60,15 @@ constexpr BeamRigidity<Real> beam_rigidity(const BeamSection<Real>& section) {
           section.shear_modulus * twice_second_moment};
 }
 
+/// Rigidity of a beam of some radius from that of the same beam of radius 1: S grows as r², I and
+/// I_0 as r⁴.
+template <class Real>
+constexpr BeamRigidity<Real> beam_rigidity_of_radius(const BeamRigidity<Real>& unit,
+                                                     const Real& radius) {
+  const Real r2 = radius * radius, r4 = r2 * r2;
+  return {r2 * unit.axial, r4 * unit.bending, r4 * unit.torsion};
+}
+
 /// Where the two ends of a beam stand.
 template <class Real>
 struct BeamPose {

@@ -33,17 +33,11 @@ inline Quaternion<Pack> orientation(const Row& row) {
   return {row.component[4], {row.component[5], row.component[6], row.component[7]}};
 }
 
-/// Rigidity of beams of one radius each, from that of radius 1: S grows as r², I and I_0 as r⁴.
-inline BeamRigidity<Pack> rigidity_of_radius(const BeamRigidity<double>& unit, Pack radius) {
-  const Pack r2 = radius * radius, r4 = r2 * r2;
-  return {r2 * Pack(unit.axial), r4 * Pack(unit.bending), r4 * Pack(unit.torsion)};
-}
-
 template <bool radius_from_pair, bool periodic>
 void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
   // Far enough ahead for a neighbour's line to arrive, near enough to be still there.
   constexpr std::size_t rows_ahead = 2;
-  const BeamRigidity<Pack> uniform{m.rigidity.axial, m.rigidity.bending, m.rigidity.torsion};
+  const BeamRigidity<Pack> common{m.rigidity.axial, m.rigidity.bending, m.rigidity.torsion};
   const std::size_t end_row = m.first_row[last];
   for (std::size_t block = first; block < last; ++block) {
     for (int lane = 0; lane < lanes; lane += width) {
@@ -70,9 +64,9 @@ void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
         const Quaternion<Pack> other_turned = orientation(other);
         const BeamPose<Pack> pose{chord, rotate(rotation, rest_direction),
                                   rotate(other_turned, rest_direction), other_turned * turned_back};
-        BeamRigidity<Pack> rigidity = uniform;
+        BeamRigidity<Pack> rigidity = common;
         if constexpr (radius_from_pair)
-          rigidity = rigidity_of_radius(m.rigidity, Pack::load(m.bond_radius + slot));
+          rigidity = beam_rigidity_of_radius(common, Pack::load(m.bond_radius + slot));
         const BeamLoad<Pack> load = beam_load(rigidity, rest_length, pose);
         force += load.force;
         moment += load.moment_i;
