@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Exact solutions and independent discretisations that codes are checked against."""
+"""One elastic beam."""
 
 from __future__ import annotations
 
@@ -8,33 +8,6 @@ from typing import Sequence
 import numpy as np
 
 from compare.result import Floats
-
-
-def rod_temperature(distance: Floats, length: float, fourier: float, initial: float,
-                    imposed: float, terms: int = 400) -> Floats:
-    """Temperature, K, of a rod heated at one end and insulated at the other.
-
-    `distance` from the hot end, m; `fourier` = α t / L² > 0. Source: Terreros 2013, equation 2.8
-    (with x counted from the hot end).
-    """
-    odd = 2 * np.arange(terms) + 1
-    wave = np.sin(np.multiply.outer(np.asarray(distance) / length, odd * np.pi / 2))
-    weight = 4 / (odd * np.pi) * np.exp(-((odd * np.pi / 2) ** 2) * fourier)
-    return imposed + (initial - imposed) * (wave @ weight)
-
-
-def finite_difference_step(temperature: Floats, number: float) -> Floats:
-    """One explicit step of central finite differences on a cubic grid (X, Y, Z).
-
-    `number` = α Δt / h². The outermost points keep their values.
-    """
-    new = temperature.copy()
-    inner = temperature[1:-1, 1:-1, 1:-1]
-    new[1:-1, 1:-1, 1:-1] = inner + number * (
-        temperature[2:, 1:-1, 1:-1] + temperature[:-2, 1:-1, 1:-1]
-        + temperature[1:-1, 2:, 1:-1] + temperature[1:-1, :-2, 1:-1]
-        + temperature[1:-1, 1:-1, 2:] + temperature[1:-1, 1:-1, :-2] - 6 * inner)
-    return new
 
 
 def beam_stiffness(chord: Sequence[float] | Floats, radius: float, young_modulus: float,

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Exact solutions and independent discretisations that codes are checked against."""
+
+from __future__ import annotations
+
+from compare.references.beam import beam_stiffness
+from compare.references.bessel import bessel_j1
+from compare.references.lattice import finite_difference_step
+from compare.references.layers import Layer, layers_temperature
+from compare.references.moving_disc import MovingDisc, moving_disc_temperature
+from compare.references.rod import rod_temperature
+from compare.references.wedge import wedge_temperature
+
+__all__ = ["Layer", "MovingDisc", "beam_stiffness", "bessel_j1", "finite_difference_step",
+           "layers_temperature", "moving_disc_temperature", "rod_temperature",
+           "wedge_temperature"]
