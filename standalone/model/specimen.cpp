@@ -21,10 +21,34 @@ double volume_of_sphere(double radius) {
 }  // namespace
 
 double Domain::cross_section(int normal_axis) const {
-  if (normal_axis == axis && radius > 0) return pi * radius * radius;
-  const Vector extent = upper - lower;
-  const double along = normal_axis == 0 ? extent.x : normal_axis == 1 ? extent.y : extent.z;
-  return volume / along;
+  return volume / component(upper - lower, normal_axis);
+}
+
+Vector Domain::axis_point() const {
+  Vector point = 0.5 * (lower + upper);
+  component(point, axis) = component(lower, axis);
+  if (angle > 0) {
+    const int first = (axis + 1) % 3, second = (axis + 2) % 3;
+    component(point, first) = component(upper, first) - radius;
+    component(point, second) = component(lower, second);
+  }
+  return point;
+}
+
+double Domain::arc() const {
+  return angle > 0 ? angle : 2.0 * pi;
+}
+
+Vector Domain::first_transverse() const {
+  Vector unit{};
+  component(unit, (axis + 1) % 3) = 1.0;
+  return unit;
+}
+
+Vector Domain::second_transverse() const {
+  Vector unit{};
+  component(unit, (axis + 2) % 3) = 1.0;
+  return unit;
 }
 
 Vector rest_chord(const Specimen& specimen, Pair pair) {

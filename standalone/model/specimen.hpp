@@ -24,16 +24,29 @@ struct Pair {
 
 /// The continuous body that a specimen represents.
 struct Domain {
-  std::string shape = "imported";  ///< box, plate, cylinder, crystal or imported
+  std::string shape = "imported";  ///< box, plate, cylinder, annulus, wedge, crystal or imported
   Vector lower{}, upper{};         ///< bounding box of the body, m
   std::array<bool, 3> periodic{false, false, false};
   double volume = 0;  ///< exact volume of the body, m³
-  int axis = -1;      ///< of a cylinder: 0, 1, 2; else −1
-  double radius = 0;  ///< of a cylinder, m; else 0
 
-  /// Area of the section normal to an axis, m²: the disc of a cylinder's axis, else the volume over
-  /// the extent along the axis.
+  /// Round bodies (cylinder, annulus, wedge); else −1 and zeros.
+  int axis = -1;            ///< 0, 1, 2
+  double radius = 0;        ///< outer radius, m
+  double inner_radius = 0;  ///< of annulus and wedge, m; else 0
+  double angle = 0;  ///< of a wedge, rad: from the first transverse axis, to the second; else 0
+
+  bool is_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
+
+  /// Area of the section normal to an axis, m²: volume over extent.
   double cross_section(int normal_axis) const;
+
+  /// Round bodies: the point of the axis at the low end; the angle that the body takes about the
+  /// axis, rad; the unit vectors across the axis that angles are measured from and towards (y and z
+  /// for the axis x, z and x for y, x and y for z).
+  Vector axis_point() const;
+  double arc() const;
+  Vector first_transverse() const;
+  Vector second_transverse() const;
 };
 
 /// A compact packing of spheres: what every code reads.

@@ -12,6 +12,7 @@
 #include "specimen/ordering.hpp"
 #include "specimen/quench.hpp"
 #include "specimen/shape.hpp"
+#include "specimen/walls.hpp"
 
 namespace solidem {
 
@@ -113,16 +114,6 @@ Vector random_point(const Domain& domain, double margin, Random& random) {
     const double free_radius = std::max(domain.radius - margin, 1e-9 * domain.radius);
     if (!(domain.radius > 0) || across2 <= free_radius * free_radius) return point;
   }
-}
-
-// The body in units of `unit`, with its lower corner at the origin.
-Domain scaled(const Domain& domain, double unit) {
-  Domain result = domain;
-  result.lower = {};
-  result.upper = (1.0 / unit) * (domain.upper - domain.lower);
-  result.volume = domain.volume / (unit * unit * unit);
-  result.radius = domain.radius / unit;
-  return result;
 }
 
 SoftSpheres throw_spheres(const Domain& domain, std::size_t elements, double spread,

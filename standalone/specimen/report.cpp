@@ -10,6 +10,7 @@
 
 #include "neighbours/linked_cells.hpp"
 #include "specimen/bonds.hpp"
+#include "specimen/walls.hpp"
 
 namespace solidem {
 
@@ -17,17 +18,10 @@ namespace {
 
 constexpr double counted_overlap = 0.005;
 
-double distance_to_walls(const Domain& domain, const Vector& position) {
+double distance_to_walls(const std::vector<Wall>& walls, const Vector& point) {
   double nearest = std::numeric_limits<double>::infinity();
-  double across = 0;  // squared distance to a cylinder's axis
-  for (int axis = 0; axis < 3; ++axis) {
-    const double x = component(position, axis);
-    const double low = component(domain.lower, axis), high = component(domain.upper, axis);
-    const bool round = domain.radius > 0 && axis != domain.axis;
-    if (round) across += (x - 0.5 * (low + high)) * (x - 0.5 * (low + high));
-    if (!round && !domain.periodic[axis]) nearest = std::min({nearest, x - low, high - x});
-  }
-  return domain.radius > 0 ? std::min(nearest, domain.radius - std::sqrt(across)) : nearest;
+  for (const Wall& wall : walls) nearest = std::min(nearest, wall.distance(point));
+  return nearest;
 }
 
 }  // namespace
@@ -42,9 +36,10 @@ void measure_specimen(Specimen& specimen) {
   report["coordination_number"] = 2.0 * bonds / elements;
 
   const std::vector<std::int32_t> degree = count_bonds(specimen);
+  const std::vector<Wall> walls = walls_of(specimen.domain);
   double bulk_elements = 0, bulk_bonds = 0;
   for (std::size_t i = 0; i < specimen.size(); ++i)
-    if (distance_to_walls(specimen.domain, specimen.position[i]) > 3.0 * mean) {
+    if (distance_to_walls(walls, specimen.position[i]) > 3.0 * mean) {
       bulk_elements += 1;
       bulk_bonds += degree[i];
     }

@@ -70,15 +70,21 @@ Domain shape_of(const SpecimenRecipe& recipe) {
   return domain;
 }
 
-double wall_area(const Domain& domain) {
+Domain scaled(const Domain& domain, double unit) {
+  Domain result = domain;
+  result.lower = {};
+  result.upper = (1.0 / unit) * (domain.upper - domain.lower);
+  result.volume = domain.volume / (unit * unit * unit);
+  result.radius = domain.radius / unit;
+  result.inner_radius = domain.inner_radius / unit;
+  return result;
+}
+
+double volume_of(const Domain& domain) {
   const Vector extent = domain.upper - domain.lower;
-  double area = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (is_round(domain, axis) || domain.periodic[axis]) continue;
-    area += 2.0 * domain.volume / component(extent, axis);
-  }
-  if (domain.radius > 0) area += 2.0 * domain.volume / domain.radius;
-  return area;
+  if (!(domain.radius > 0)) return extent.x * extent.y * extent.z;
+  const double R = domain.radius, r = domain.inner_radius;
+  return 0.5 * domain.arc() * (R - r) * (R + r) * component(extent, domain.axis);
 }
 
 double narrowest_width(const Domain& domain) {

@@ -11,8 +11,11 @@ namespace solidem {
 /// length that is not above zero, an unknown axis, or a periodicity the shape cannot have.
 Domain shape_of(const SpecimenRecipe& recipe);
 
-/// Area of the body's walls, m²; periodic directions have none.
-double wall_area(const Domain& domain);
+/// The body in units of `unit`, with the lower corner of its bounding box at the origin.
+Domain scaled(const Domain& domain, double unit);
+
+/// Volume of a body from its shape's dimensions, m³; of an imported one, the bounding box's.
+double volume_of(const Domain& domain);
 
 /// The shortest way between two opposite walls, m (infinite when there are none), and the shortest
 /// period.

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The body cut into one cell for each element: the radical (Laguerre) Voronoi diagram of the
+// spheres, bounded by the body's walls. A cell holds the points whose squared tangent length
+// |x − x_i|² − R_i² to its own sphere is the least, so faces stand across the lines of centres, and
+// touching spheres meet in their face. Cells are made by voro++.
+#ifndef SOLIDEM_SPECIMEN_TESSELLATION_HPP
+#define SOLIDEM_SPECIMEN_TESSELLATION_HPP
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/specimen.hpp"
+#include "specimen/walls.hpp"
+
+namespace solidem {
+
+/// The part of a wall that belongs to an element.
+struct WallFace {
+  std::int32_t element;
+  double area;      ///< m²
+  double distance;  ///< from the element's centre to the wall along its normal, m
+};
+
+struct Tessellation {
+  std::vector<Pair> faces;       ///< pairs with a face in common; sorted, i < j, each pair once
+  std::vector<double> area;      ///< of each face, m²; summed over periodic images of a pair
+  std::vector<double> distance;  ///< of the centres through that face, m
+  std::vector<double> volume;    ///< of each element's cell, m³; the sum is the body's volume
+
+  /// By the name of the wall, in the order of elements; each wall's areas sum to its exact area.
+  std::map<std::string, std::vector<WallFace>> walls;
+};
+
+/// Makes the cells. They fit together without gap: cells and walls are closed, Σ area × normal = 0,
+/// so that linear fields conduct exactly. Curved walls are flat facets that all cells share, under
+/// .002 R_m off and placed so that volume and section of the body are exact. A body imported as
+/// bare spheres is the box around them. The same on any number of threads.
+/// Throws InputError when a centre lies outside the body, when larger spheres around an element
+/// leave no cell for it, or when the domain's volume is not that of its shape.
+Tessellation tessellate(const Specimen& specimen);
+
+/// For laws without cells: the elements that touch each wall, within 5 % of their radius, share its
+/// exact area in proportion to R². A wall that nothing touches has an empty list.
+std::map<std::string, std::vector<WallFace>> touching_elements(const Specimen& specimen);
+
+}  // namespace solidem
+
+#endif
