@@ -103,3 +103,41 @@ def test_an_unequal_pair_exchanges_what_the_law_says(liggghts: Liggghts, tmp_pat
     capacity = SPECIFIC_HEAT * DENSITY * 4 / 3 * np.pi * radius**3 / fraction
     expected = before + 1e-4 * power * np.array([1, -1]) / capacity
     assert after == pytest.approx(expected, rel=1e-14)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_calibration_scales_areas_and_capacities(
+    liggghts: Liggghts, tmp_path: Path, ranks: int
+) -> None:
+    """The body's exact heat capacity; and the platonic law at another pace, by the area factor over
+    that of the capacities."""
+    body = simple_cubic((6, 4, 3), RADIUS)
+    body.radius = RADIUS * np.random.default_rng(4).uniform(0.875, 1.125, len(body.radius))
+    body.write(tmp_path / "body.data")
+    volume, factor, step = 8.3e-8, 0.83, 1e-4
+    law = f"platonic-calibrated area_factor {factor} volume {volume}"
+    calibrated = HEAT.replace("platonic", law)
+
+    def run(fix: str, step: float) -> tuple[np.ndarray, np.ndarray]:
+        script = script_of("s").replace(HEAT, fix) + (
+            "group warm id 1:30\nrun 0\nset group warm property/atom Temp 798\n"
+            f"timestep {step:.17g}\nthermo_style custom step atoms f_heat\n"
+            "thermo_modify format float %.17g norm no\nthermo 100\n"
+            + dump("temperature", 100, "f_Temp")
+        )
+        rows = thermo(liggghts.run(tmp_path, script + "run 100\n", ranks))
+        return rows[:, 2], read_dump(tmp_path / "temperature.txt")[100][:, 0]
+
+    uniform = script_of("s").replace(HEAT, calibrated) + (
+        "thermo_style custom step atoms f_heat\nthermo_modify format float %.17g norm no\nrun 0\n"
+    )
+    energy = thermo(liggghts.run(tmp_path, uniform, ranks))[0, 2]
+    assert energy == pytest.approx(DENSITY * SPECIFIC_HEAT * volume * 298, rel=1e-14)
+
+    energies, temperature = run(calibrated, step)
+    plain, _ = run(HEAT, step)
+    capacity = energies[0] / plain[0]
+    _, expected = run(HEAT, step * factor / capacity)
+    assert np.ptp(temperature) > 100 and abs(capacity - 1) > 0.01
+    assert np.abs(temperature - expected).max() <= 1e-12 * 500
+    assert energies[-1] == pytest.approx(energies[0], rel=1e-13)

@@ -47,7 +47,19 @@ WRONG = {
         "fix heat all solidem/conduction law platonic density -1\n",
         "density must be positive",
     ),
-    "unknown law": ("fix heat all solidem/conduction law cubic\n", "the only law is 'platonic'"),
+    "unknown law": ("fix heat all solidem/conduction law cubic\n", "unknown law 'cubic'"),
+    "calibrated without its figures": (
+        HEAT.replace("platonic", "platonic-calibrated") + "initial_temperature 298 volume 1\n",
+        "needs both area_factor and volume",
+    ),
+    "factor of another law": (
+        HEAT + "initial_temperature 298 area_factor 0.8\n",
+        "needs both area_factor and volume, others neither",
+    ),
+    "voronoi without its file": (
+        HEAT.replace("platonic", "voronoi") + "initial_temperature 298\n",
+        "law voronoi needs file",
+    ),
     "temperature without conduction": (
         "fix hot all solidem/temperature 300\nrun 0\n",
         "needs a 'fix ID all solidem/conduction'",

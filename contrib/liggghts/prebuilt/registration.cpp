@@ -22,6 +22,7 @@
 #include "fix_nve_solidem.h"
 #include "fix_solidem_bonds.h"
 #include "fix_solidem_conduction.h"
+#include "fix_solidem_exchange.h"
 #include "fix_solidem_temperature.h"
 #include "force.h"
 #include "modify.h"
@@ -69,6 +70,7 @@ void Modify::add_fix(int narg, char** arg, char* suffix) {
   fixes["nve/solidem"] = &create_fix<FixNVESolidem>;
   fixes["solidem/bonds"] = &create_fix<FixSolidemBonds>;
   fixes["solidem/conduction"] = &create_fix<FixSolidemConduction>;
+  fixes["solidem/exchange"] = &create_fix<FixSolidemExchange>;
   fixes["solidem/temperature"] = &create_fix<FixSolidemTemperature>;
   typedef void (*AddFix)(Modify*, int, char**, char*);
   static const AddFix library_add_fix =

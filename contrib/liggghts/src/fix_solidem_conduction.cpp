@@ -24,6 +24,7 @@
 #include "laws/platonic_conduction.hpp"
 #include "modify.h"
 #include "neighbor.h"
+#include "solidem_cells.h"
 #include "solidem_reach.h"
 #include "update.h"
 
@@ -36,25 +37,55 @@ FixSolidemConduction::FixSolidemConduction(LAMMPS* liggghts, int narg, char** ar
       specific_heat(0.0),
       density(0.0),
       initial_temperature(0.0),
-      rest_distance(NULL),
-      rest_distances(NULL),
+      area_factor(0.0),
+      volume(0.0),
+      capacity_factor(0.0),
+      bond_value(NULL),
+      values(NULL),
       step_of_capacities(-1.0),
       temperature(NULL),
       heat_flux(NULL),
-      coordination(NULL) {
+      heat_source(NULL),
+      coordination(NULL),
+      cell_volume(NULL) {
   if (igroup != 0) error->fix_error(FLERR, this, "must be used with group 'all'");
   if (!atom->avec->bonds_allow || !atom->radius_flag)
     error->fix_error(FLERR, this, "needs 'atom_style hybrid granular molecular'");
+  read_arguments(narg, arg);
 
-  bool law = false, has_temperature = false;
+  scalar_flag = 1;
+  global_freq = 1;
+  extscalar = 1;
+  restart_peratom = 1;
+  values = new SolidemBondValues(liggghts, bond_value, law == "voronoi" ? 2 : 1);
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+FixSolidemConduction::~FixSolidemConduction() {
+  if (!values) return;
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+  delete values;
+}
+
+void FixSolidemConduction::read_arguments(int narg, char** arg) {
+  bool has_temperature = false;
   for (int iarg = 3; iarg < narg; iarg += 2) {
-    if (iarg + 1 == narg)
-      error->fix_error(FLERR, this, ("keyword without value: " + std::string(arg[iarg])).c_str());
     const std::string key = arg[iarg];
+    if (iarg + 1 == narg) error->fix_error(FLERR, this, ("keyword without value: " + key).c_str());
     if (key == "law") {
-      if (strcmp(arg[iarg + 1], "platonic") != 0)
-        error->fix_error(FLERR, this, "the only law is 'platonic'");
-      law = true;
+      law = arg[iarg + 1];
+      if (law != "platonic" && law != "platonic-calibrated" && law != "voronoi")
+        error->fix_error(
+            FLERR, this,
+            ("unknown law '" + law + "': known are platonic, platonic-calibrated, voronoi")
+                .c_str());
+      continue;
+    }
+    if (key == "file") {
+      file = arg[iarg + 1];
       continue;
     }
     const double value = force->numeric(FLERR, arg[iarg + 1]);
@@ -70,33 +101,29 @@ FixSolidemConduction::FixSolidemConduction(LAMMPS* liggghts, int narg, char** ar
       specific_heat = value;
     else if (key == "density")
       density = value;
+    else if (key == "area_factor")
+      area_factor = value;
+    else if (key == "volume")
+      volume = value;
     else
       error->fix_error(FLERR, this,
                        ("unknown keyword '" + key +
                         "': known are law, conductivity, specific_heat, density, "
-                        "initial_temperature")
+                        "initial_temperature, area_factor, volume, file")
                            .c_str());
   }
-  if (!law || conductivity == 0.0 || specific_heat == 0.0 || density == 0.0 || !has_temperature)
+  if (law.empty() || conductivity == 0.0 || specific_heat == 0.0 || density == 0.0 ||
+      !has_temperature)
     error->fix_error(FLERR, this,
-                     "needs all of: law platonic, conductivity, specific_heat, density, "
+                     "needs all of: law, conductivity, specific_heat, density, "
                      "initial_temperature");
-
-  scalar_flag = 1;
-  global_freq = 1;
-  extscalar = 1;
-  restart_peratom = 1;
-  rest_distances = new SolidemBondValues(liggghts, rest_distance, 1);
-  grow_arrays(atom->nmax);
-  atom->add_callback(0);
-  atom->add_callback(1);
-}
-
-FixSolidemConduction::~FixSolidemConduction() {
-  if (!rest_distances) return;
-  atom->delete_callback(id, 0);
-  atom->delete_callback(id, 1);
-  delete rest_distances;
+  const bool calibrated = law == "platonic-calibrated";
+  if (calibrated != (area_factor > 0.0) || calibrated != (volume > 0.0))
+    error->fix_error(FLERR, this,
+                     "law platonic-calibrated needs both area_factor and volume, others neither");
+  if ((law == "voronoi") != !file.empty())
+    error->fix_error(FLERR, this, "law voronoi needs file, others do not");
+  if (!calibrated) area_factor = capacity_factor = 1.0;
 }
 
 // The property of that name, made if there is none. LIGGGHTS gives a new property its initial value
@@ -107,7 +134,10 @@ FixPropertyAtom* FixSolidemConduction::property(const char* name, const char* in
   if (found) return static_cast<FixPropertyAtom*>(found);
   const char* command[] = {name,  "all",   "property/atom", name,   "scalar",
                            "yes", forward, reverse,         initial};
-  return modify->add_fix_property_atom(9, const_cast<char**>(command), style);
+  FixPropertyAtom* made = modify->add_fix_property_atom(9, const_cast<char**>(command), style);
+  if (strcmp(initial, "none") == 0 && !made->restart_reset)
+    std::fill_n(made->vector_atom, atom->nlocal, 0.0);
+  return made;
 }
 
 void FixSolidemConduction::post_create() {
@@ -115,11 +145,12 @@ void FixSolidemConduction::post_create() {
 }
 
 int FixSolidemConduction::setmask() {
-  return PRE_FORCE | POST_FORCE;
+  return PRE_FORCE | POST_FORCE | FINAL_INTEGRATE;
 }
 
 void FixSolidemConduction::init() {
   find_properties();
+  if (law == "voronoi") see_cells();
 }
 
 void FixSolidemConduction::find_properties() {
@@ -127,11 +158,25 @@ void FixSolidemConduction::find_properties() {
   snprintf(initial, sizeof initial, "%.17g", initial_temperature);
   temperature = property("Temp", initial, "yes", "no");
   heat_flux = property("heatFlux", "0", "no", "yes");
-  coordination = property("coordination", "none", "yes", "yes");
+  heat_source = property("heatSource", "0", "no", "no");
+  if (law == "voronoi")
+    cell_volume = property("cellVolume", "none", "no", "no");
+  else
+    coordination = property("coordination", "none", "yes", "yes");
 }
 
+/* ----------------------------------------------------------------------
+   distance up to which a rank must know its neighbours' atoms
+------------------------------------------------------------------------- */
+
 double FixSolidemConduction::extend_cut_ghost() {
-  return solidem_reach(atom, world);
+  const double usual = solidem_reach(atom, world);
+  if (law != "voronoi") return usual;
+  double local = 0.0, longest;  // faces join atoms that do not touch
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++) local = std::max(local, bond_value[i][m][0]);
+  MPI_Allreduce(&local, &longest, 1, MPI_DOUBLE, MPI_MAX, world);
+  return std::max(usual, 1.1 * longest);
 }
 
 void FixSolidemConduction::setup_pre_force(int) {
@@ -141,6 +186,29 @@ void FixSolidemConduction::setup_pre_force(int) {
 // Indices of atoms hold until the neighbour lists are built anew.
 void FixSolidemConduction::pre_force(int) {
   if (neighbor->ago == 0) build_conductors();
+  std::fill_n(heat_flux->vector_atom, atom->nlocal + atom->nghost, 0.0);
+}
+
+bool FixSolidemConduction::any_rank(bool here) const {
+  int one = here, any;
+  MPI_Allreduce(&one, &any, 1, MPI_INT, MPI_MAX, world);
+  return any != 0;
+}
+
+/* ----------------------------------------------------------------------
+   the image of the atom bond m of atom i leads to that is nearest to atom i
+------------------------------------------------------------------------- */
+
+int FixSolidemConduction::partner(int i, int m) const {
+  const int j = atom->map(atom->bond_atom[i][m]);
+  if (j < 0) {
+    char message[160];
+    snprintf(message, sizeof message,
+             "Fix solidem/conduction: the bond of atoms %d and %d is longer than %s", atom->tag[i],
+             atom->bond_atom[i][m], law == "voronoi" ? "1.1 faces' distances" : "two diameters");
+    error->one(FLERR, message);
+  }
+  return domain->closest_image(i, j);
 }
 
 /* ----------------------------------------------------------------------
@@ -148,28 +216,63 @@ void FixSolidemConduction::pre_force(int) {
 ------------------------------------------------------------------------- */
 
 bool FixSolidemConduction::see_new_bonds() {
-  int seen = 0;
+  bool seen = false;
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++) {
-      const int partner = atom->map(atom->bond_atom[i][m]);
-      if (partner < 0) {
-        char message[160];
-        snprintf(message, sizeof message,
-                 "Fix solidem/conduction: the bond of atoms %d and %d is longer than two diameters",
-                 atom->tag[i], atom->bond_atom[i][m]);
-        error->one(FLERR, message);
-      }
-      double& distance = rest_distance[i][m][0];
+      double& distance = bond_value[i][m][0];
       if (distance != 0.0) continue;
-      seen = 1;
+      seen = true;
       const double* a = atom->x[i];
-      const double* b = atom->x[domain->closest_image(i, partner)];
+      const double* b = atom->x[partner(i, m)];
       distance = sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) +
                       (b[2] - a[2]) * (b[2] - a[2]));
     }
-  int seen_anywhere;
-  MPI_Allreduce(&seen, &seen_anywhere, 1, MPI_INT, MPI_MAX, world);
-  return seen_anywhere != 0;
+  return any_rank(seen);
+}
+
+/* ----------------------------------------------------------------------
+   law voronoi: faces of the bonds and volumes of the atoms from the file,
+   unless they came with a restart file
+------------------------------------------------------------------------- */
+
+void FixSolidemConduction::see_cells() {
+  bool unseen = false;
+  for (int i = 0; i < atom->nlocal; i++) {
+    unseen = unseen || cell_volume->vector_atom[i] == 0.0;
+    for (int m = 0; m < atom->num_bond[i]; m++) unseen = unseen || bond_value[i][m][0] == 0.0;
+  }
+  if (!any_rank(unseen)) return;
+
+  const SolidemCells cells(lmp, file);
+  char message[120];
+  double count = 0.0, bonds;
+  for (int i = 0; i < atom->nlocal; i++) {
+    cell_volume->vector_atom[i] = cells.volume(atom->tag[i]);
+    if (cell_volume->vector_atom[i] == 0.0) {
+      snprintf(message, sizeof message, "Fix solidem/conduction: no volume of atom %d in ",
+               atom->tag[i]);
+      error->one(FLERR, (message + file).c_str());
+    }
+    for (int m = 0; m < atom->num_bond[i]; m++) {
+      const int other = atom->bond_atom[i][m];
+      const SolidemCells::Face* face = cells.face(atom->tag[i], other);
+      if (!face) {
+        snprintf(message, sizeof message,
+                 "Fix solidem/conduction: no face for the bond of atoms %d and %d in ",
+                 atom->tag[i], other);
+        error->one(FLERR, (message + file).c_str());
+      }
+      bond_value[i][m][0] = face->distance;
+      bond_value[i][m][1] = face->area;
+      count += force->newton_bond ? 1.0 : 0.5;
+    }
+  }
+  MPI_Allreduce(&count, &bonds, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (bonds == static_cast<double>(cells.faces())) return;
+  snprintf(message, sizeof message,
+           " has %.0f faces, the body %.0f bonds: each face needs its bond",
+           static_cast<double>(cells.faces()), bonds);
+  error->fix_error(FLERR, this, (file + message).c_str());
 }
 
 // The number of bonds of every local atom; with newton_bond on only one of the two atoms lists a
@@ -180,59 +283,79 @@ void FixSolidemConduction::count_bonds() {
   for (int i = 0; i < atom->nlocal; i++) {
     count[i] += atom->num_bond[i];
     if (!force->newton_bond) continue;
-    for (int m = 0; m < atom->num_bond[i]; m++)
-      count[domain->closest_image(i, atom->map(atom->bond_atom[i][m]))] += 1.0;
+    for (int m = 0; m < atom->num_bond[i]; m++) count[partner(i, m)] += 1.0;
   }
   if (force->newton_bond) coordination->do_reverse_comm();
 }
 
-void FixSolidemConduction::build_conductors() {
-  if (see_new_bonds()) count_bonds();
-  coordination->do_forward_comm();
+// Law platonic-calibrated: the capacities of all atoms add up to that of the body.
+void FixSolidemConduction::scale_capacities() {
+  capacity_factor = 1.0;
+  double capacity = 0.0, total;
+  for (int i = 0; i < atom->nlocal; i++) capacity += heat_capacity(i);
+  MPI_Allreduce(&capacity, &total, 1, MPI_DOUBLE, MPI_SUM, world);
+  capacity_factor = specific_heat * density * volume / total;
+}
 
-  const double* count = coordination->vector_atom;
-  const double* radius = atom->radius;
+void FixSolidemConduction::build_conductors() {
+  if (law != "voronoi") {
+    const bool new_bonds = see_new_bonds();
+    if (new_bonds) count_bonds();
+    coordination->do_forward_comm();
+    if (law == "platonic-calibrated" && (new_bonds || capacity_factor == 0.0)) scale_capacities();
+  }
   conductors.clear();
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++) {
-      const int j = domain->closest_image(i, atom->map(atom->bond_atom[i][m]));
+      const int j = partner(i, m);
       if (!force->newton_bond && i > j) continue;  // the bond is listed by both
-      const solidem::PlatonicElement side_i = {radius[i], count[i]};
-      const solidem::PlatonicElement side_j = {radius[j], count[j]};
-      conductors.push_back(
-          {i, j,
-           solidem::platonic_conductance(side_i, side_j, conductivity, rest_distance[i][m][0])});
+      conductors.push_back({i, j, conductivity * area(i, m, j) / bond_value[i][m][0]});
     }
+  find_steps();
+}
+
+// Transmission area of bond m of atom i, which leads to atom j.
+double FixSolidemConduction::area(int i, int m, int j) const {
+  if (law == "voronoi") return bond_value[i][m][1];
+  const solidem::PlatonicElement side_i = {atom->radius[i], coordination->vector_atom[i]};
+  const solidem::PlatonicElement side_j = {atom->radius[j], coordination->vector_atom[j]};
+  return area_factor * solidem::platonic_transmission_area(side_i, side_j);
+}
+
+double FixSolidemConduction::heat_capacity(int i) const {
+  if (law == "voronoi") return specific_heat * density * cell_volume->vector_atom[i];
+  const solidem::PlatonicElement element = {atom->radius[i], coordination->vector_atom[i]};
+  return capacity_factor * solidem::platonic_heat_capacity(element, density, specific_heat);
+}
+
+void FixSolidemConduction::find_steps() {
   step_over_capacity.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) step_over_capacity[i] = update->dt / heat_capacity(i);
   step_of_capacities = update->dt;
 }
 
-double FixSolidemConduction::heat_capacity(int i) const {
-  return solidem::platonic_heat_capacity({atom->radius[i], coordination->vector_atom[i]}, density,
-                                         specific_heat);
-}
-
+// Other fixes add to the fluxes too; temperatures change after all have done so.
 void FixSolidemConduction::post_force(int) {
   const int nlocal = atom->nlocal;
   const bool newton_bond = force->newton_bond;
-  double* temp = temperature->vector_atom;
+  const double* temp = temperature->vector_atom;
   double* flux = heat_flux->vector_atom;
 
   temperature->do_forward_comm();
-  std::fill_n(flux, newton_bond ? nlocal + atom->nghost : nlocal, 0.0);
   for (const Conductor& bond : conductors) {
     const double power = bond.conductance * (temp[bond.j] - temp[bond.i]);
     flux[bond.i] += power;
     if (newton_bond || bond.j < nlocal) flux[bond.j] -= power;
   }
   if (newton_bond) heat_flux->do_reverse_comm();
+}
 
-  if (step_of_capacities != update->dt) {  // the time step was changed in mid-run
-    for (int i = 0; i < nlocal; i++) step_over_capacity[i] = update->dt / heat_capacity(i);
-    step_of_capacities = update->dt;
-  }
-  for (int i = 0; i < nlocal; i++) temp[i] += step_over_capacity[i] * flux[i];
+void FixSolidemConduction::final_integrate() {
+  if (step_of_capacities != update->dt) find_steps();  // the time step was changed in mid-run
+  double* temp = temperature->vector_atom;
+  const double* flux = heat_flux->vector_atom;
+  const double* source = heat_source->vector_atom;
+  for (int i = 0; i < atom->nlocal; i++) temp[i] += step_over_capacity[i] * (flux[i] + source[i]);
 }
 
 /* ----------------------------------------------------------------------
@@ -247,33 +370,33 @@ double FixSolidemConduction::compute_scalar() {
 }
 
 void FixSolidemConduction::grow_arrays(int nmax) {
-  rest_distances->grow(nmax);
+  values->grow(nmax);
 }
 void FixSolidemConduction::copy_arrays(int i, int j, int) {
-  rest_distances->copy(i, j);
+  values->copy(i, j);
 }
 void FixSolidemConduction::set_arrays(int i) {
-  rest_distances->clear(i);
+  values->clear(i);
 }
 int FixSolidemConduction::pack_exchange(int i, double* buffer) {
-  return rest_distances->pack_exchange(i, buffer);
+  return values->pack_exchange(i, buffer);
 }
 int FixSolidemConduction::unpack_exchange(int i, double* buffer) {
-  return rest_distances->unpack_exchange(i, buffer);
+  return values->unpack_exchange(i, buffer);
 }
 int FixSolidemConduction::pack_restart(int i, double* buffer) {
-  return rest_distances->pack_restart(i, buffer);
+  return values->pack_restart(i, buffer);
 }
 void FixSolidemConduction::unpack_restart(int i, int nth) {
-  rest_distances->unpack_restart(i, nth);
+  values->unpack_restart(i, nth);
 }
 int FixSolidemConduction::size_restart(int i) {
-  return rest_distances->size_restart(i);
+  return values->size_restart(i);
 }
 int FixSolidemConduction::maxsize_restart() {
-  return rest_distances->maxsize_restart();
+  return values->maxsize_restart();
 }
 double FixSolidemConduction::memory_usage() {
-  return rest_distances->memory_usage() + conductors.capacity() * sizeof(Conductor) +
+  return values->memory_usage() + conductors.capacity() * sizeof(Conductor) +
          step_over_capacity.capacity() * sizeof(double);
 }

@@ -18,6 +18,7 @@ FixStyle(solidem/conduction,FixSolidemConduction)
 #ifndef LMP_FIX_SOLIDEM_CONDUCTION_H
 #define LMP_FIX_SOLIDEM_CONDUCTION_H
 
+#include <string>
 #include <vector>
 
 #include "fix.h"
@@ -25,10 +26,13 @@ FixStyle(solidem/conduction,FixSolidemConduction)
 
 namespace LAMMPS_NS {
 
-/// Heat conduction along bonds, explicit in time; the law is laws/platonic_conduction.hpp.
-/// Temperatures are LIGGGHTS' property Temp. Rest distances stay with the bonds, the number of
-/// bonds with the atoms (property coordination), so conductances never change once a bond has been
-/// seen.
+/// Heat conduction along bonds, explicit in time. Laws `platonic` and `platonic-calibrated` are
+/// laws/platonic_conduction.hpp; law `voronoi` takes areas, distances and volumes from a file.
+/// Temperatures are LIGGGHTS' property Temp. What a conductance needs stays with the bonds, the
+/// number of bonds (property coordination) or the volume (cellVolume) with the atoms, so
+/// conductances never change once a bond has been seen. A step adds up the properties heatFlux,
+/// which it empties first and any fix may add to in post_force, and heatSource, which is the
+/// user's.
 class FixSolidemConduction : public Fix {
  public:
   FixSolidemConduction(class LAMMPS*, int, char**);
@@ -39,6 +43,7 @@ class FixSolidemConduction : public Fix {
   void setup_pre_force(int);
   void pre_force(int);
   void post_force(int);
+  void final_integrate();
   double compute_scalar();
   double extend_cut_ghost();
 
@@ -62,19 +67,30 @@ class FixSolidemConduction : public Fix {
     double conductance;  // W/K
   };
 
+  std::string law, file;
   double conductivity, specific_heat, density, initial_temperature;
-  double*** rest_distance;  // [local atom][bond][0]; zero marks a bond not yet seen
-  SolidemBondValues* rest_distances;
+  double area_factor;      // of law platonic-calibrated, else 1
+  double volume;           // of the body, m³; law platonic-calibrated
+  double capacity_factor;  // of law platonic-calibrated, else 1; 0 until it is known
+  double*** bond_value;    // [local atom][bond]: distance (0 until seen), area (law voronoi)
+  SolidemBondValues* values;
   std::vector<Conductor> conductors;
   std::vector<double> step_over_capacity;  // of local atoms, K/W
   double step_of_capacities;
-  class FixPropertyAtom *temperature, *heat_flux, *coordination;
+  class FixPropertyAtom *temperature, *heat_flux, *heat_source, *coordination, *cell_volume;
 
+  void read_arguments(int, char**);
   class FixPropertyAtom* property(const char*, const char*, const char*, const char*);
   void find_properties();
+  bool any_rank(bool) const;
+  int partner(int, int) const;
   bool see_new_bonds();
+  void see_cells();
   void count_bonds();
+  void scale_capacities();
   void build_conductors();
+  double area(int, int, int) const;
+  void find_steps();
 };
 
 }  // namespace LAMMPS_NS

@@ -16,31 +16,29 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "fix_solidem_conduction.h"
-#include "force.h"
-#include "input.h"
 #include "modify.h"
-#include "update.h"
-#include "variable.h"
+#include "solidem_number.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
 FixSolidemTemperature::FixSolidemTemperature(LAMMPS* liggghts, int narg, char** arg)
     : Fix(liggghts, narg, arg),
-      value(0.0),
+      imposed(NULL),
       heat_supplied(0.0),
       conduction(NULL),
       temperature(NULL) {
   if (narg != 4) error->fix_error(FLERR, this, "takes one value: a temperature or v_NAME");
-  if (strncmp(arg[3], "v_", 2) == 0)
-    variable = arg[3] + 2;
-  else
-    value = force->numeric(FLERR, arg[3]);
+  imposed = new SolidemNumber(liggghts, this, arg[3]);
   nevery = 1;
   scalar_flag = 1;
   global_freq = 1;
   extscalar = 1;
   restart_global = 1;
+}
+
+FixSolidemTemperature::~FixSolidemTemperature() {
+  delete imposed;
 }
 
 int FixSolidemTemperature::setmask() {
@@ -53,11 +51,7 @@ void FixSolidemTemperature::init() {
   if (!conduction) error->fix_error(FLERR, this, "needs a 'fix ID all solidem/conduction'");
   temperature = static_cast<FixPropertyAtom*>(
       modify->find_fix_property("Temp", "property/atom", "scalar", 0, 0, style));
-  if (variable.empty()) return;
-  const int found = input->variable->find(const_cast<char*>(variable.c_str()));
-  if (found < 0) error->fix_error(FLERR, this, ("no variable named " + variable).c_str());
-  if (!input->variable->equalstyle(found))
-    error->fix_error(FLERR, this, ("variable " + variable + " is not of style equal").c_str());
+  imposed->init();
 }
 
 // Heat counts from the first step on: what the start takes is the initial condition's.
@@ -70,13 +64,7 @@ void FixSolidemTemperature::end_of_step() {
 }
 
 double FixSolidemTemperature::impose() {
-  double target = value;
-  if (!variable.empty()) {
-    modify->clearstep_compute();
-    target =
-        input->variable->compute_equal(input->variable->find(const_cast<char*>(variable.c_str())));
-    modify->addstep_compute_all(update->ntimestep + 1);
-  }
+  const double target = imposed->value();
   double heat = 0.0, total;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;

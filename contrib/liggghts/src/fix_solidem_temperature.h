@@ -18,8 +18,6 @@ FixStyle(solidem/temperature,FixSolidemTemperature)
 #ifndef LMP_FIX_SOLIDEM_TEMPERATURE_H
 #define LMP_FIX_SOLIDEM_TEMPERATURE_H
 
-#include <string>
-
 #include "fix.h"
 
 namespace LAMMPS_NS {
@@ -29,6 +27,7 @@ namespace LAMMPS_NS {
 class FixSolidemTemperature : public Fix {
  public:
   FixSolidemTemperature(class LAMMPS*, int, char**);
+  ~FixSolidemTemperature();
   int setmask();
   void init();
   void setup(int);
@@ -38,9 +37,8 @@ class FixSolidemTemperature : public Fix {
   void restart(char*);
 
  private:
-  double value;
-  std::string variable;
-  double heat_supplied;  // of all ranks, J
+  class SolidemNumber* imposed;  // K
+  double heat_supplied;          // of all ranks, J
   class FixSolidemConduction* conduction;
   class FixPropertyAtom* temperature;
 
