@@ -2,6 +2,7 @@
 #ifndef SOLIDEM_SOLVE_HEAT_EQUATION_HPP
 #define SOLIDEM_SOLVE_HEAT_EQUATION_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <Eigen/SparseCore>
 #include <vector>
@@ -22,11 +23,12 @@ class HeatEquation {
   virtual bool is_linear() const = 0;
 
   /// Power into each element (N), W, and of each account (K), W, at temperatures (N), K, and a
-  /// time, s.
+  /// time, s. What flows between two elements is equal and opposite to the last bit: balances close
+  /// no better than that.
   virtual void powers(double time, const double* temperature, double* power, double* account) = 0;
 
-  /// Elements whose temperature is imposed, and the setting of it. Power into such an element is
-  /// conducted power only: it is not what changes its temperature.
+  /// Elements whose temperature is imposed, and the setting of it; the others are left alone. Power
+  /// into such an element is not what changes its temperature.
   virtual const std::vector<std::int32_t>& imposed() const = 0;
   virtual void impose(double time, double* temperature) const = 0;
 
@@ -41,8 +43,8 @@ class HeatEquation {
   virtual Eigen::SparseMatrix<double> conductance_matrix(double time,
                                                          const double* temperature) const = 0;
 
-  /// The longest stable explicit step at these temperatures, s.
-  virtual double stable_step() const = 0;
+  /// The longest stable explicit step at a time and temperatures, s.
+  virtual double stable_step(double time, const double* temperature) const = 0;
 };
 
 }  // namespace solidem
