@@ -10,6 +10,8 @@ namespace solidem {
 
 namespace {
 
+constexpr double pi = 3.14159265358979323846;
+
 // Elements are numbered with 32 bits.
 constexpr std::int64_t most_elements = std::numeric_limits<std::int32_t>::max();
 
@@ -39,10 +41,28 @@ std::vector<Key> plate_keys(SpecimenRecipe& recipe) {
           must_have("thickness", quantity(recipe.size.z, dimension::length, positive))};
 }
 
+Key axis_key(SpecimenRecipe& recipe) {
+  return may_have("axis", choice<std::string>(recipe.axis, {{"x", "x"}, {"y", "y"}, {"z", "z"}}));
+}
+
 std::vector<Key> cylinder_keys(SpecimenRecipe& recipe) {
   return {must_have("length", quantity(recipe.length, dimension::length, positive)),
           must_have("radius", quantity(recipe.radius, dimension::length, positive)),
-          may_have("axis", choice<std::string>(recipe.axis, {{"x", "x"}, {"y", "y"}, {"z", "z"}}))};
+          axis_key(recipe)};
+}
+
+std::vector<Key> annulus_keys(SpecimenRecipe& recipe) {
+  return {must_have("length", quantity(recipe.length, dimension::length, positive)),
+          must_have("inner_radius", quantity(recipe.inner_radius, dimension::length, positive)),
+          must_have("outer_radius", quantity(recipe.radius, dimension::length, positive)),
+          axis_key(recipe)};
+}
+
+std::vector<Key> wedge_keys(SpecimenRecipe& recipe) {
+  std::vector<Key> keys = annulus_keys(recipe);
+  keys.push_back(
+      must_have("angle", quantity(recipe.angle, dimension::angle, Range{0, pi, false, false})));
+  return keys;
 }
 
 std::vector<Key> crystal_keys(SpecimenRecipe& recipe) {
@@ -79,22 +99,26 @@ void check_recipe(const Section& section, const SpecimenRecipe& recipe) {
     return;
   }
   section.exactly_one_of({"elements", "mean_radius"});
-  if (recipe.shape != "cylinder") return;
+  if (recipe.shape == "box" || recipe.shape == "plate") return;
+  if (recipe.inner_radius > 0 && !(recipe.inner_radius < recipe.radius))
+    section.refuse("inner_radius", "the hole is as wide as the body",
+                   "a length below outer_radius");
   for (std::size_t k = 0; k < 3; ++k)
     if (recipe.periodic[k] && recipe.axis != std::string(1, "xyz"[k]))
-      section.refuse("periodic", "a cylinder has walls across its axis",
+      section.refuse("periodic", "the " + recipe.shape + " has walls across its axis",
                      "true along axis " + recipe.axis + " only");
 }
 
 void read_recipe(const Section& section, SpecimenRecipe& recipe) {
   const std::map<std::string, std::vector<Key> (*)(SpecimenRecipe&)> shape_keys = {
-      {"box", box_keys},
-      {"plate", plate_keys},
-      {"cylinder", cylinder_keys},
-      {"crystal", crystal_keys}};
-  const Rule shape = choice<std::string>(
-      recipe.shape,
-      {{"box", "box"}, {"plate", "plate"}, {"cylinder", "cylinder"}, {"crystal", "crystal"}});
+      {"box", box_keys},         {"plate", plate_keys}, {"cylinder", cylinder_keys},
+      {"annulus", annulus_keys}, {"wedge", wedge_keys}, {"crystal", crystal_keys}};
+  const Rule shape = choice<std::string>(recipe.shape, {{"box", "box"},
+                                                        {"plate", "plate"},
+                                                        {"cylinder", "cylinder"},
+                                                        {"annulus", "annulus"},
+                                                        {"wedge", "wedge"},
+                                                        {"crystal", "crystal"}});
   section.read_one(may_have("shape", shape));
 
   std::vector<Key> keys = {may_have("shape", shape)};

@@ -12,12 +12,16 @@ namespace solidem {
 
 namespace {
 
+constexpr double pi = 3.14159265358979323846;
+
 void check_domain(const Domain& domain, const std::string& origin) {
-  static const char* const shapes[] = {"box", "plate", "cylinder", "crystal", "imported"};
+  static const char* const shapes[] = {"box",   "plate",   "cylinder", "annulus",
+                                       "wedge", "crystal", "imported"};
   if (std::find(std::begin(shapes), std::end(shapes), domain.shape) == std::end(shapes))
-    throw InputError(
-        fmt::format("{}: domain shape \"{}\": expected box, plate, cylinder, crystal or imported",
-                    origin, domain.shape));
+    throw InputError(fmt::format(
+        "{}: domain shape \"{}\": expected box, plate, cylinder, annulus, wedge, crystal "
+        "or imported",
+        origin, domain.shape));
   for (int axis = 0; axis < 3; ++axis) {
     const double low = component(domain.lower, axis), high = component(domain.upper, axis);
     if (!std::isfinite(low) || !std::isfinite(high) || !(low < high))
@@ -27,12 +31,19 @@ void check_domain(const Domain& domain, const std::string& origin) {
   if (!(domain.volume > 0) || !std::isfinite(domain.volume))
     throw InputError(fmt::format("{}: domain volume {} m3: expected a number above zero", origin,
                                  domain.volume));
-  const bool cylinder = domain.shape == "cylinder";
-  if (cylinder && (domain.axis < 0 || domain.axis > 2 || !(domain.radius > 0)))
+  const bool wedge = domain.shape == "wedge", hollow = wedge || domain.shape == "annulus";
+  if ((hollow || domain.shape == "cylinder") &&
+      (domain.axis < 0 || domain.axis > 2 || !(domain.radius > 0)))
     throw InputError(fmt::format(
-        "{}: cylinder with axis {} and radius {} m: expected axis 0, 1 or 2 and a radius "
-        "above zero",
-        origin, domain.axis, domain.radius));
+        "{}: {} with axis {} and radius {} m: expected axis 0, 1 or 2 and a radius above zero",
+        origin, domain.shape, domain.axis, domain.radius));
+  if (hollow && !(domain.inner_radius > 0 && domain.inner_radius < domain.radius))
+    throw InputError(
+        fmt::format("{}: {} with inner radius {} m and radius {} m: expected 0 < inner < outer",
+                    origin, domain.shape, domain.inner_radius, domain.radius));
+  if (wedge && !(domain.angle > 0 && domain.angle < pi))
+    throw InputError(
+        fmt::format("{}: wedge with angle {} rad: expected 0 < angle < pi", origin, domain.angle));
 }
 
 }  // namespace

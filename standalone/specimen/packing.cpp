@@ -96,8 +96,28 @@ void check_recipe(const SpecimenRecipe& recipe) {
         fmt::format("specimen.radius_spread = {}: expected 0 to 0.5", recipe.radius_spread));
 }
 
+// A point of an annulus or wedge at least `margin` from its walls, as far as they leave room.
+Vector random_point_between_rings(const Domain& domain, double margin, Random& random) {
+  const double gap = std::min(margin, 0.5 * (domain.radius - domain.inner_radius));
+  const double low = domain.inner_radius + gap, high = domain.radius - gap;
+  double distance = 0, angle = 0;
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    distance = std::sqrt(low * low + (high * high - low * low) * random.next());
+    angle = domain.arc() * random.next();
+    if (!(domain.angle > 0) || distance * std::sin(std::min(angle, domain.angle - angle)) > margin)
+      break;
+  }
+  const double length = component(domain.upper - domain.lower, domain.axis);
+  const double inset = domain.periodic[domain.axis] ? 0.0 : std::min(margin, 0.5 * length);
+  Vector point = domain.axis_point() + distance * std::cos(angle) * domain.first_transverse() +
+                 distance * std::sin(angle) * domain.second_transverse();
+  component(point, domain.axis) += inset + (length - 2.0 * inset) * random.next();
+  return point;
+}
+
 // A point of the body at least `margin` from its walls.
 Vector random_point(const Domain& domain, double margin, Random& random) {
+  if (domain.inner_radius > 0) return random_point_between_rings(domain, margin, random);
   const Vector extent = domain.upper - domain.lower;
   for (;;) {
     Vector point{};

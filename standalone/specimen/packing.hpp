@@ -17,10 +17,10 @@ namespace solidem {
 constexpr double target_coordination = 6.2;
 constexpr double largest_mean_overlap = 0.015;
 
-/// Fills the recipe's box, plate or cylinder. With `elements` given the mean radius comes out of
-/// the packing; with `mean_radius` given the number of elements follows from the expected solid
-/// fraction, and the mean radius comes out within about 1 % of the request. Elements along a
-/// Hilbert curve, no bonds. The same for the same recipe on any number of threads. Throws
+/// Fills the recipe's box, plate, cylinder, annulus or wedge. With `elements` given the mean radius
+/// comes out of the packing; with `mean_radius` given the number of elements follows from the
+/// expected solid fraction, and the mean radius comes out within about 1 % of the request. Elements
+/// along a Hilbert curve, no bonds. The same for the same recipe on any number of threads. Throws
 /// InputError when the recipe is incomplete or the body too thin for spheres of that size.
 Specimen make_packing(const SpecimenRecipe& recipe, const ReportProgress& progress = {});
 

@@ -29,6 +29,12 @@ SoftSpheres::SoftSpheres(const Domain& domain, std::vector<Vector> position,
                          std::vector<double> radius)
     : domain_(domain), extent_(domain.upper - domain.lower) {
   for (const bool periodic : domain.periodic) any_periodic_ = any_periodic_ || periodic;
+  if (domain.radius > 0) axis_point_ = domain.axis_point();
+  if (domain.angle > 0) {
+    const Vector first = domain.first_transverse(), second = domain.second_transverse();
+    first_normal_ = -second;
+    last_normal_ = std::cos(domain.angle) * second - std::sin(domain.angle) * first;
+  }
   ball_.resize(position.size());
   for (std::size_t i = 0; i < ball_.size(); ++i) ball_[i] = {position[i], radius[i]};
   velocity_.resize(ball_.size());
@@ -109,7 +115,7 @@ void SoftSpheres::wall_force(const Ball& ball, Vector& force) const {
     const double x = component(ball.centre, axis);
     const double low = component(domain_.lower, axis), high = component(domain_.upper, axis);
     if (round && axis != domain_.axis) {
-      component(from_axis, axis) = x - 0.5 * (low + high);
+      component(from_axis, axis) = x - component(axis_point_, axis);
     } else if (!domain_.periodic[axis]) {
       double& f = component(force, axis);
       f += std::max(0.0, low + ball.radius - x);
@@ -118,8 +124,14 @@ void SoftSpheres::wall_force(const Ball& ball, Vector& force) const {
   }
   if (!round) return;
   const double distance = norm(from_axis);
-  const double overlap = distance + ball.radius - domain_.radius;
-  if (overlap > 0 && distance > 0) force -= (overlap / distance) * from_axis;
+  const double outside = distance + ball.radius - domain_.radius;
+  if (outside > 0 && distance > 0) force -= (outside / distance) * from_axis;
+  const double inside = domain_.inner_radius + ball.radius - distance;
+  if (domain_.inner_radius > 0 && inside > 0 && distance > 0)
+    force += (inside / distance) * from_axis;
+  if (!(domain_.angle > 0)) return;
+  for (const Vector& normal : {first_normal_, last_normal_})
+    force -= std::max(0.0, dot(normal, from_axis) + ball.radius) * normal;
 }
 
 template <bool periodic>

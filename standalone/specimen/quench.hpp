@@ -64,6 +64,7 @@ class SoftSpheres {
 
   Domain domain_;
   Vector extent_{};
+  Vector axis_point_{}, first_normal_{}, last_normal_{};  // of round bodies; of a wedge, outward
   bool any_periodic_ = false;
   std::vector<Ball> ball_;
   std::vector<Vector> velocity_, force_, listed_position_;

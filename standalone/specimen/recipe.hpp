@@ -16,12 +16,14 @@ namespace solidem {
 /// What a user asks for; lengths in m. Members that the shape does not name are ignored.
 struct SpecimenRecipe {
   std::string file;   ///< a specimen file to read; if given, nothing else counts
-  std::string shape;  ///< box, plate, cylinder or crystal
+  std::string shape;  ///< box, plate, cylinder, annulus, wedge or crystal
 
   Vector size{};      ///< box: extents along x, y, z; plate: length (x), width (y), thickness (z)
-  double length = 0;  ///< cylinder: along its axis
-  double radius = 0;  ///< cylinder
-  std::string axis = "x";  ///< cylinder: x, y or z
+  double length = 0;  ///< round shapes (cylinder, annulus, wedge): along the axis
+  double radius = 0;  ///< round shapes: outer radius
+  double inner_radius = 0;  ///< annulus and wedge
+  double angle = 0;         ///< wedge, rad, below π: a sector of an annulus, see Domain::angle
+  std::string axis = "x";   ///< round shapes: x, y or z
 
   std::string lattice;                ///< crystal: simple_cubic, bcc, fcc or hcp; neighbours touch
   std::array<int, 3> cells{0, 0, 0};  ///< crystal: unit cells along x, y, z
@@ -33,9 +35,9 @@ struct SpecimenRecipe {
   double radius_spread = 0.125;  ///< packing: radii uniform in R_m (1 ± spread), 0 ≤ spread ≤ 0.5
 
   /// Directions without walls, where the body repeats itself. Crystals and packed boxes and plates:
-  /// any; cylinders: along the axis only.
+  /// any; round shapes: along the axis only.
   std::array<bool, 3> periodic{false, false, false};
-  Vector origin{};  ///< lower corner of box, plate and crystal; centre of the cylinder's low end
+  Vector origin{};  ///< lower corner of box, plate and crystal; the axis' low end of round shapes
 };
 
 /// Told how far a long task is: fraction done in [0, 1] and what is being done. May be empty.

@@ -21,29 +21,50 @@ void insist_on_length(double value, const char* key) {
     throw InputError(fmt::format("specimen.{} = {} m: expected a length above zero", key, value));
 }
 
-bool is_round(const Domain& domain, int axis) {
-  return domain.radius > 0 && axis != domain.axis;
+// The part of a round body's bounding box across its axis, for an axis at the origin.
+void set_sector(double angle, double inner_radius, double radius, Vector& low, Vector& high,
+                int axis) {
+  const int first = (axis + 1) % 3, second = (axis + 2) % 3;
+  const bool past_square = angle > 0.5 * pi;
+  component(low, first) = (past_square ? radius : inner_radius) * std::cos(angle);
+  component(high, first) = radius;
+  component(low, second) = 0;
+  component(high, second) = past_square ? radius : radius * std::sin(angle);
 }
 
-Domain cylinder_of(const SpecimenRecipe& recipe) {
+Domain round_body_of(const SpecimenRecipe& recipe) {
+  const bool hollow = recipe.shape != "cylinder", wedge = recipe.shape == "wedge";
   insist_on_length(recipe.length, "length");
-  insist_on_length(recipe.radius, "radius");
+  insist_on_length(recipe.radius, hollow ? "outer_radius" : "radius");
+  if (hollow) insist_on_length(recipe.inner_radius, "inner_radius");
+  if (hollow && !(recipe.inner_radius < recipe.radius))
+    throw InputError(
+        fmt::format("specimen.inner_radius = {} m: expected a length below outer_radius = {} m",
+                    recipe.inner_radius, recipe.radius));
+  if (wedge && !(recipe.angle > 0 && recipe.angle < pi))
+    throw InputError(fmt::format("specimen.angle = {} rad: expected an angle above 0 and below π",
+                                 recipe.angle));
   if (recipe.axis != "x" && recipe.axis != "y" && recipe.axis != "z")
     throw InputError(fmt::format("specimen.axis = \"{}\": expected x, y or z", recipe.axis));
   Domain domain;
   domain.axis = recipe.axis[0] - 'x';
   domain.radius = recipe.radius;
-  domain.volume = pi * recipe.radius * recipe.radius * recipe.length;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double origin = component(recipe.origin, axis);
-    const bool round = is_round(domain, axis);
-    if (round && recipe.periodic[axis])
-      throw InputError(fmt::format(
-          "specimen.periodic along {}: a cylinder can be periodic along its axis ({}) only",
-          "xyz"[axis], recipe.axis));
-    component(domain.lower, axis) = round ? origin - recipe.radius : origin;
-    component(domain.upper, axis) = origin + (round ? recipe.radius : recipe.length);
-  }
+  domain.inner_radius = hollow ? recipe.inner_radius : 0.0;
+  domain.angle = wedge ? recipe.angle : 0.0;
+  const double R = domain.radius;
+  Vector low{-R, -R, -R}, high{R, R, R};
+  if (wedge) set_sector(recipe.angle, recipe.inner_radius, R, low, high, domain.axis);
+  component(low, domain.axis) = 0;
+  component(high, domain.axis) = recipe.length;
+  for (int axis = 0; axis < 3; ++axis)
+    if (axis != domain.axis && recipe.periodic[axis])
+      throw InputError(
+          fmt::format("specimen.periodic along {}: the {} can be periodic along its axis ({}) only",
+                      "xyz"[axis], recipe.shape, recipe.axis));
+  domain.lower = recipe.origin + low;
+  domain.upper = recipe.origin + high;
+  domain.volume =
+      0.5 * domain.arc() * (R - domain.inner_radius) * (R + domain.inner_radius) * recipe.length;
   return domain;
 }
 
@@ -51,8 +72,8 @@ Domain cylinder_of(const SpecimenRecipe& recipe) {
 
 Domain shape_of(const SpecimenRecipe& recipe) {
   Domain domain;
-  if (recipe.shape == "cylinder") {
-    domain = cylinder_of(recipe);
+  if (recipe.shape == "cylinder" || recipe.shape == "annulus" || recipe.shape == "wedge") {
+    domain = round_body_of(recipe);
   } else if (recipe.shape == "box" || recipe.shape == "plate") {
     const bool plate = recipe.shape == "plate";
     insist_on_length(recipe.size.x, plate ? "length" : "size (along x)");
@@ -63,7 +84,8 @@ Domain shape_of(const SpecimenRecipe& recipe) {
     domain.volume = recipe.size.x * recipe.size.y * recipe.size.z;
   } else {
     throw InputError(fmt::format(
-        "specimen.shape = \"{}\": expected box, plate, cylinder or crystal", recipe.shape));
+        "specimen.shape = \"{}\": expected box, plate, cylinder, annulus, wedge or crystal",
+        recipe.shape));
   }
   domain.shape = recipe.shape;
   domain.periodic = recipe.periodic;
@@ -90,9 +112,15 @@ double volume_of(const Domain& domain) {
 double narrowest_width(const Domain& domain) {
   double width = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
-    if (!domain.periodic[axis])
+    if (!domain.periodic[axis] && !(domain.radius > 0 && axis != domain.axis))
       width = std::min(width, component(domain.upper - domain.lower, axis));
-  return width;
+  if (!(domain.radius > 0)) return width;
+  width = std::min(
+      width, domain.inner_radius > 0 ? domain.radius - domain.inner_radius : 2.0 * domain.radius);
+  if (!(domain.angle > 0)) return width;
+  // Of a sphere that touches both planes and the outer wall.
+  const double sine = std::sin(0.5 * domain.angle);
+  return std::min(width, 2.0 * domain.radius * sine / (1.0 + sine));
 }
 
 double shortest_period(const Domain& domain) {

@@ -58,6 +58,8 @@ void write_hdf5(const std::string& path, const Specimen& specimen) {
   domain.set_attribute("volume", body.volume);
   domain.set_attribute("axis", body.axis);
   domain.set_attribute("radius", body.radius);
+  domain.set_attribute("inner_radius", body.inner_radius);
+  domain.set_attribute("angle", body.angle);
 
   const Hdf5Group report = file.make_group("report");
   const auto& figures = specimen.report;
@@ -113,6 +115,9 @@ Specimen read_hdf5(const std::string& path) {
   body.volume = domain.number_attribute("volume");
   body.axis = static_cast<int>(domain.integer_attribute("axis"));
   body.radius = domain.number_attribute("radius");
+  if (domain.has_attribute("inner_radius"))
+    body.inner_radius = domain.number_attribute("inner_radius");
+  if (domain.has_attribute("angle")) body.angle = domain.number_attribute("angle");
 
   if (file.has("report")) {
     const Hdf5Group report = file.group("report");
