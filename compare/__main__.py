@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Sequence
 
 from compare import page, table
-from compare.case import CaseError, find_cases, read_case
+from compare.case import Case, CaseError, find_cases, read_case
 from compare.codes import all_codes
 from compare.codes.base import Code
 from compare.evaluate import run_cases
@@ -22,7 +22,8 @@ def _arguments(words: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="compare", description="Runs cases in several codes and says where they agree. "
         "Exit status 0 only when every check passed.")
-    parser.add_argument("cases", nargs="*", help="names of cases; default: all")
+    parser.add_argument("cases", nargs="*", help="names of cases; default: all but the long ones")
+    parser.add_argument("--long", action="store_true", help="the long cases too")
     parser.add_argument("--list", action="store_true", help="list the cases and the codes")
     parser.add_argument("--output", type=Path, default=Path("results/compare"),
                         help="directory of the results (results/compare)")
@@ -30,20 +31,23 @@ def _arguments(words: Sequence[str] | None) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
-def _titles(paths: dict[str, Path]) -> dict[str, tuple[str, str]]:
-    titles = {}
+def _read(paths: dict[str, Path]) -> dict[str, Case]:
+    """The cases that can be read; the others fail when they are run."""
+    cases = {}
     for name, path in paths.items():
         try:
-            case = read_case(path)
-            titles[name] = (case.title, case.about)
-        except CaseError:
-            titles[name] = (name, "")
-    return titles
+            cases[name] = read_case(path)
+        except (CaseError, TypeError, ValueError):
+            pass
+    return cases
 
 
 def _list(paths: dict[str, Path], codes: dict[str, Code]) -> None:
-    for name, (title, _) in _titles(paths).items():
-        print(f"{name:24} {title}")
+    cases = _read(paths)
+    for name in paths:
+        case = cases.get(name)
+        words = "cannot be read" if case is None else case.title + (" (long)" * case.long)
+        print(f"{name:24} {words}")
     print()
     for name, code in codes.items():
         print(f"{name:24} {code.missing() or 'ready'}")
@@ -60,7 +64,9 @@ def main(words: Sequence[str] | None = None, codes: dict[str, Code] | None = Non
     if unknown := [name for name in arguments.cases if name not in paths]:
         print(f"no case {unknown[0]!r}; there are: {', '.join(paths)}", file=sys.stderr)
         return 2
-    chosen = {name: paths[name] for name in arguments.cases or paths}
+    cases = _read(paths)
+    chosen = {name: path for name, path in paths.items() if name in arguments.cases or (
+        not arguments.cases and (arguments.long or name not in cases or not cases[name].long))}
     start = time.perf_counter()
     output = arguments.output.resolve()
     output.mkdir(parents=True, exist_ok=True)
@@ -68,7 +74,7 @@ def main(words: Sequence[str] | None = None, codes: dict[str, Code] | None = Non
                             lambda text: print(text, flush=True))
     print("\n" + table.terminal(rows, lines))
     table.write(rows, lines, output)
-    written = page.write(rows, lines, _titles(chosen), output)
+    written = page.write(rows, lines, {n: (c.title, c.about) for n, c in cases.items()}, output)
     print(f"{time.perf_counter() - start:.0f} s; tables and plots: {written}")
     return 0 if rows and all(row.passed for row in rows) else 1
 

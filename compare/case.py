@@ -6,8 +6,11 @@ A case is one TOML file in compare/cases/; the README of compare/ lists its keys
 
 from __future__ import annotations
 
+import itertools
+import string
 import tomllib
 from dataclasses import MISSING, dataclass, field, fields
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +29,15 @@ class Variant:
     name: str
     codes: tuple[str, ...]
     replace: dict[str, str] = field(default_factory=dict)  #: text of the scene -> other text
-    values: dict[str, float] = field(default_factory=dict)  #: numbers that checks refer to
+    values: dict[str, Any] = field(default_factory=dict)  #: what checks refer to
+    pattern: str = ""  #: the name before words were put in
+
+    def name_over(self, key: str, others: list[Variant]) -> str:
+        """A name for this and other variants that differ in one value only."""
+        if f"${key}" not in self.pattern:
+            return "all"
+        values = [v.values[key] for v in others]
+        return str(_put_in(self.pattern, {**self.values, key: f"{values[0]}–{values[-1]}"}, ""))
 
 
 @dataclass(frozen=True)
@@ -40,7 +51,8 @@ class Check:
     reference: str  #: another code, or the name of a reference
     tolerance: float
     reason: str  #: why this tolerance
-    variants: tuple[str, ...] = ()  #: empty: every variant that runs the code
+    variants: tuple[str, ...] = ()  #: names, * for any text; empty: all that run the code
+    over: str = ""  #: a value of the variants: one row for all that differ in it alone
     tolerance_times: str = ""  #: a value of the variant that multiplies the tolerance
     options: dict[str, Any] = field(default_factory=dict)  #: of the measure
 
@@ -57,7 +69,9 @@ class Case:
     checks: tuple[Check, ...]
     timeout: float = 600  #: s, for one run of one code
     about: str = ""
-    options: dict[str, Any] = field(default_factory=dict)  #: of cases without a scene
+    long: bool = False  #: left out unless it is asked for
+    timed: bool = True  #: False: runs side by side, their times are no measurements
+    options: dict[str, Any] = field(default_factory=dict)  #: what measures and codes may need
 
     def variant(self, name: str) -> Variant:
         """The variant of that name."""
@@ -65,9 +79,47 @@ class Case:
 
     def variants_of(self, check: Check) -> list[Variant]:
         """The variants that a check looks at."""
-        if check.variants:
-            return [self.variant(name) for name in check.variants]
-        return [v for v in self.variants if check.code in v.codes]
+        return [v for v in self.variants if check.code in v.codes
+                and (not check.variants or any(fnmatchcase(v.name, n) for n in check.variants))]
+
+    def groups_of(self, check: Check) -> list[list[Variant]]:
+        """The variants of each row of a check."""
+        groups: dict[str, list[Variant]] = {}
+        for v in self.variants_of(check):
+            key = {k: x for k, x in v.values.items() if k != check.over} if check.over else v.name
+            groups.setdefault(repr(key), []).append(v)
+        return list(groups.values())
+
+
+def _put_in(text: Any, words: dict[str, Any], where: str) -> Any:
+    """Puts words in place of $name, in tables and lists too; "$name" alone keeps its kind."""
+    if isinstance(text, dict):
+        return {_put_in(k, words, where): _put_in(v, words, where) for k, v in text.items()}
+    if isinstance(text, list):
+        return [_put_in(v, words, where) for v in text]
+    if not isinstance(text, str) or "$" not in text:
+        return text
+    if text.startswith("$") and text[1:] in words:
+        return words[text[1:]]
+    try:
+        return string.Template(text).substitute(words)
+    except (KeyError, ValueError) as error:
+        raise CaseError(f"{where}: {text!r}: no value for {error}; known: "
+                        f"{', '.join(words) or 'none'}") from error
+
+
+def _repeat(table: dict[str, Any], where: str) -> list[tuple[dict[str, Any], dict[str, Any]]]:
+    """A table once for each combination in its `for`, words put in, with these words."""
+    lists = table.pop("for", {})
+    if not isinstance(lists, dict) or not all(isinstance(v, list) for v in lists.values()):
+        raise CaseError(f"{where}: 'for' must be a table of lists")
+    repeated = []
+    for combination in itertools.product(*lists.values()):
+        words: dict[str, Any] = {}
+        for name, word in zip(lists, combination):
+            words |= word if isinstance(word, dict) else {name: word}
+        repeated.append((_put_in(table, words, where), words))
+    return repeated
 
 
 def _build(kind: type, table: dict[str, Any], where: str) -> Any:
@@ -95,32 +147,54 @@ def _check(table: dict[str, Any], where: str) -> Check:
     return check
 
 
+def _variants(tables: list[dict[str, Any]], where: str) -> tuple[Variant, ...]:
+    variants = []
+    for n, table in enumerate(tables):
+        here = f"{where}: variant {n + 1}"
+        pattern = str(table.get("name", ""))
+        for found, words in _repeat(table, here):
+            found["values"] = {**words, **found.get("values", {})}
+            variants.append(_build(Variant, {**found, "pattern": pattern}, here))
+    return tuple(variants)
+
+
+def _checks(tables: list[dict[str, Any]], where: str) -> tuple[Check, ...]:
+    return tuple(_check(found, f"{where}: check {n + 1}") for n, table in enumerate(tables)
+                 for found, _ in _repeat(table, f"{where}: check {n + 1}"))
+
+
+def _agree(case: Case, check: Check) -> None:
+    """CaseError when a check asks for variants or values that are not there."""
+    where = f"{case.path}: check {check.quantity!r}"
+    for name in check.variants:
+        if not any(fnmatchcase(v.name, name) for v in case.variants):
+            raise CaseError(f"{where}: no variant {name!r}")
+    if not case.variants_of(check):
+        raise CaseError(f"{where}: no variant runs {check.code!r}")
+    for variant in case.variants_of(check):
+        for key in (check.tolerance_times, check.over):
+            if key and key not in variant.values:
+                raise CaseError(f"{where}: variant {variant.name!r} has no value {key!r}")
+
+
 def read_case(path: Path) -> Case:
     """Reads and checks a case file; CaseError says what is wrong."""
     try:
         table = tomllib.loads(path.read_text())
     except (OSError, tomllib.TOMLDecodeError) as error:
         raise CaseError(f"{path}: {error}") from error
-    variants = tuple(_build(Variant, v, f"{path}: variant {n + 1}")
-                     for n, v in enumerate(table.pop("variant", [])))
-    checks = tuple(_check(c, f"{path}: check {n + 1}")
-                   for n, c in enumerate(table.pop("check", [])))
+    variants = _variants(table.pop("variant", []), str(path))
+    checks = _checks(table.pop("check", []), str(path))
     scene = table.pop("scene", None)
     case: Case = _build(Case, {
         **table, "name": path.stem, "path": path, "variants": variants, "checks": checks,
         "scene": None if scene is None else (path.parent / scene).resolve()}, str(path))
     if not variants or not checks:
         raise CaseError(f"{path}: a case needs at least one [[variant]] and one [[check]]")
-    names = {v.name for v in variants}
+    if len({v.name for v in variants}) < len(variants):
+        raise CaseError(f"{path}: two variants have the same name")
     for check in checks:
-        if unknown := [name for name in check.variants if name not in names]:
-            raise CaseError(f"{path}: check {check.quantity!r}: no variant {unknown[0]!r}")
-        if not case.variants_of(check):
-            raise CaseError(f"{path}: check {check.quantity!r}: no variant runs {check.code!r}")
-        for variant in case.variants_of(check):
-            if check.tolerance_times and check.tolerance_times not in variant.values:
-                raise CaseError(f"{path}: variant {variant.name!r} has no value "
-                                f"{check.tolerance_times!r}")
+        _agree(case, check)
     return case
 
 

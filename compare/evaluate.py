@@ -5,34 +5,37 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from compare import beam_modes  # noqa: F401  (makes its measures known)
+from compare import beam_modes, heat_measures  # noqa: F401  (makes their measures known)
 from compare.case import Case, CaseError, Check, Variant, read_case
 from compare.codes.base import Code
 from compare.measures import MEASURES
 from compare.result import CodeFailure
 from compare.row import Row, RunLine
-from compare.runs import CaseRuns, Say, View
+from compare.runs import CaseRuns, Say, Specimens, View
 
 
-def _rows(runs: CaseRuns, check: Check) -> list[Row]:
-    variants = runs.case.variants_of(check)
-    # A slope is one figure of all variants.
-    return [_row(runs, check, v) for v in (variants[:1] if check.measure == "slope" else variants)]
+def _needed(case: Case, codes: dict[str, Code]) -> list[tuple[str, str]]:
+    """Variants and codes that the checks of a case look at."""
+    return [(v.name, code) for check in case.checks for v in case.variants_of(check)
+            for code in (check.code, check.reference) if code in codes and code in v.codes]
 
 
-def _row(runs: CaseRuns, check: Check, variant: Variant) -> Row:
-    factor = variant.values.get(check.tolerance_times, 1.0)
-    name = "all" if check.measure == "slope" else variant.name
+def _row(runs: CaseRuns, check: Check, group: list[Variant]) -> Row:
+    variant = group[0]
+    factor = variant.values[check.tolerance_times] if check.tolerance_times else 1.0
+    name = variant.name_over(check.over, group) if check.over else variant.name
     row = Row(runs.case.name, name, check.quantity, check.label, check.code, check.reference,
               None, check.tolerance * factor, None, "", check.reason)
     try:
         if check.measure not in MEASURES:
             raise CodeFailure(f"no measure is called {check.measure!r}; known: "
                               f"{', '.join(sorted(MEASURES))}")
-        view = View(runs, check, variant)
+        view = View(runs, check, variant, tuple(group))
         found = MEASURES[check.measure](view)
         row.error, row.note, row.plot = float(found.error), found.note, found.plot
-        if runs.case.scene is not None:
+        if row.plot:
+            row.plot.figure = check.options.get("figure", "")
+        if runs.case.scene is not None and runs.case.timed:
             row.wall_seconds = view.tested.wall_seconds
     except CodeFailure as failure:
         row.note = str(failure)
@@ -42,12 +45,14 @@ def _row(runs: CaseRuns, check: Check, variant: Variant) -> Row:
     return row
 
 
-def run_case(case: Case, codes: dict[str, Code], directory: Path,
+def run_case(case: Case, codes: dict[str, Code], directory: Path, specimens: Specimens,
              say: Say = print) -> tuple[list[Row], list[RunLine]]:
     """Runs a case; every check gives at least one row, whatever happens."""
     say(f"{case.name}: {case.title}")
-    runs = CaseRuns(case, codes, directory, say)
-    rows = [row for check in case.checks for row in _rows(runs, check)]
+    runs = CaseRuns(case, codes, directory, specimens, say)
+    if not case.timed:
+        runs.run_ahead(_needed(case, codes))
+    rows = [_row(runs, check, group) for check in case.checks for group in case.groups_of(check)]
     return rows, runs.lines()
 
 
@@ -56,13 +61,14 @@ def run_cases(paths: dict[str, Path], codes: dict[str, Code], directory: Path,
     """Runs case files; one that cannot be read is a failing row."""
     rows: list[Row] = []
     lines: list[RunLine] = []
+    specimens = Specimens(directory / "specimens")
     for name, path in paths.items():
         try:
             case = read_case(path)
         except (CaseError, TypeError, ValueError) as error:
             rows.append(Row(name, "", "case file", "R", "", "", None, 0, None, str(error), ""))
             continue
-        found, ran = run_case(case, codes, directory / name, say)
+        found, ran = run_case(case, codes, directory / name, specimens, say)
         rows += found
         lines += ran
     return rows, lines

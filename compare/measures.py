@@ -10,7 +10,7 @@ from typing import Callable
 
 import numpy as np
 
-from compare.references import finite_difference_step, rod_temperature
+from compare.references import finite_difference_step
 from compare.result import CodeFailure, Floats, Result
 from compare.row import Measured, Plot, Series
 from compare.runs import View
@@ -89,25 +89,35 @@ def history_difference(view: View) -> Measured:
     return Measured(float(np.abs(a - b).max()) / scale, f"scale {scale:.3g}", plot)
 
 
+def _abscissa(view: View) -> float:
+    """The value that a slope is taken over; "mean_radius" is the specimen's."""
+    name = view.check.options.get("value", view.check.over)
+    if name == "mean_radius":
+        return float(view.job.specimen.radius.mean())
+    return float(view.variant.values[name])
+
+
 @measure
 def slope(view: View) -> Measured:
-    """Distance of the slope of log(error) against log(value), over all variants, from an order.
+    """Distance of the slope of log(error) against log(value), over the group, from an order.
 
-    Options: `of` (a measure, with its own options), `value` (of the variants), `order` (1).
+    Options: `of` (a measure, with its own options), `order` (1), `at_least` (true: a steeper slope
+    is no error), `value` (another than the group's; "mean_radius" is the specimen's).
     """
-    inner, value = MEASURES[view.option("of")], view.option("value")
+    inner = MEASURES[view.option("of")]
     target = float(view.check.options.get("order", 1))
-    points = [(v.values[value], inner(view.of(v)).error)
-              for v in view.case.variants_of(view.check)]
+    points = [(_abscissa(member), inner(member).error) for member in view.members]
     x, y = np.array(sorted(points)).T
     if len(x) < 3 or not (y > 0).all():
         raise CodeFailure(f"a slope needs three variants with an error above 0; errors {y}")
     order = float(np.polyfit(np.log(x), np.log(y), 1)[0])
-    plot = Plot(view.check.quantity, value, "error",
+    short = target - order
+    error = max(0.0, short) if view.check.options.get("at_least") else abs(short)
+    plot = Plot(view.check.quantity, view.check.options.get("value", view.check.over), "error",
                 [Series(view.check.code, x, y, "o-"),
                  Series(f"order {target:g}", x, y[-1] * (x / x[-1]) ** target, ":")],
                 log_x=True, log_y=True)
-    return Measured(abs(order - target), f"slope {order:.3f}", plot)
+    return Measured(error, f"slope {order:.3f}; errors {', '.join(f'{e:.2g}' for e in y)}", plot)
 
 
 def _history(view: View) -> tuple[Floats, Floats]:
@@ -176,36 +186,3 @@ def finite_differences(view: View) -> Measured:
     if float(np.ptp(inside)) < 1.0:
         raise CodeFailure("no heat reached the compared elements, so nothing is tested")
     return Measured(worst, f"{stepped} steps, {int(where.sum())} elements")
-
-
-@measure
-def rod_profile(view: View) -> Measured:
-    """Largest error of a 40-bin temperature profile against the exact rod, as part of the step.
-
-    Options: `fourier` (α t / L²), `hot` (name of the imposed temperature), `axis` (0, 1, 2).
-    """
-    result, axis = view.tested, int(view.option("axis"))
-    specimen = view.job.specimen
-    length = float(specimen.upper[axis] - specimen.lower[axis])
-    target = float(view.option("fourier"))
-    rate = view.diffusivity / length**2
-    frame = min(result.frames, key=lambda f: abs(f.time * rate - target))
-    if abs(frame.time * rate - target) > 0.02 * target:
-        raise CodeFailure(f"{result.code} wrote no frame near α t / L² = {target}")
-    initial = view.explained["laws"]["conduction"]["initial_temperature"]
-    imposed = view.job.parameters.temperatures[view.option("hot")]
-    distance = specimen.position[:, axis] - specimen.lower[axis]
-    exact = rod_temperature(distance, length, frame.time * rate, initial, imposed)
-    bins = np.minimum((distance / length * 40).astype(int), 39)
-    count = np.bincount(bins, minlength=40)
-    if (count == 0).any():
-        raise CodeFailure("a bin of the profile has no element")
-    found = np.bincount(bins, frame.columns["temperature"], 40) / count
-    mean = np.bincount(bins, exact, 40) / count
-    middle = (np.arange(40) + 0.5) / 40
-    plot = Plot("profile along the rod", "distance from the hot end / L", "temperature, K",
-                [Series(f"exact, αt/L² = {target}", middle, mean, "-"),
-                 Series(f"{result.code}, αt/L² = {target}", middle, found, ".",
-                        colour_of_previous=True)])
-    error = float(np.abs(found - mean).max() / abs(imposed - initial))
-    return Measured(error, f"αt/L² = {frame.time * rate:.4f}", plot)

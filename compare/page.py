@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import io
 from collections import defaultdict
+from dataclasses import replace
 from html import escape
 from pathlib import Path
 
@@ -12,8 +13,11 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
 
-from compare.row import Plot, Row, RunLine  # noqa: E402
+from compare.row import Plot, Row, RunLine, Series  # noqa: E402
 from compare.table import HEADER, RUN_HEADER, cells, run_cells, verdict  # noqa: E402
 
 STYLE = """
@@ -34,39 +38,89 @@ tr.failed { background: #fdecea; }
 """
 
 
-def draw(plot: Plot) -> str:
-    """A plot as SVG text."""
-    figure, axes = plt.subplots(figsize=(6, 3.8), layout="constrained")
-    for series in plot.series:
+def _lines(axes: Axes, lines: list[Series]) -> None:
+    """Puts the lines into a panel."""
+    for series in lines:
         colour = axes.lines[-1].get_color() if series.colour_of_previous and axes.lines else None
-        axes.plot(series.x, series.y, series.style, label=series.label, markersize=4, color=colour,
-                  linewidth=6 if series.wide else 1.4, alpha=0.3 if series.wide else 1)
-    axes.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
-    axes.title.set_fontsize(10)
+        order = np.argsort(series.x) if series.joined else np.arange(len(series.x))
+        drawn, = axes.plot(
+            series.x[order], series.y[order], series.style, label=series.label or None,
+            markersize=4, linewidth=6 if series.wide else 1.4, alpha=0.3 if series.wide else 1,
+            **({} if colour is None else {"color": colour}))
+        if series.band is not None:
+            drawn.set_linewidth(0.5)
+            axes.fill_between(series.x, series.y, series.band, color=drawn.get_color(), alpha=0.4,
+                              linewidth=0.5)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _figure(plot: Plot) -> Figure:
+    """A plot, with a smaller panel under it when it has one."""
+    figure = plt.figure(figsize=(6, 5 if plot.below else 3.8), layout="constrained")
+    if plot.below:
+        axes, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2.2, 1))
+        _lines(lower, plot.below)
+        lower.axhline(0, color="k", linewidth=0.6)
+        lower.set(xlabel=plot.x_label, ylabel=plot.below_label)
+    else:
+        axes = figure.subplots()
+        axes.set_xlabel(plot.x_label)
+    _lines(axes, plot.series)
+    axes.set(ylabel=plot.y_label)
+    axes.set_title(plot.title, fontsize=10)
     if plot.log_x:
         axes.set_xscale("log")
     if plot.log_y and any((series.y > 0).any() for series in plot.series):
         axes.set_yscale("log")
     axes.legend(fontsize=8, frameon=False, ncols=1 if len(plot.series) < 7 else 2)
-    axes.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
+def draw(plot: Plot) -> str:
+    """A plot as SVG text."""
+    figure = _figure(plot)
     text = io.StringIO()
     figure.savefig(text, format="svg", metadata={"Date": None})
     plt.close(figure)
     return text.getvalue()[text.getvalue().index("<svg"):]
 
 
+def _join(into: list[Series], others: list[Series]) -> None:
+    """Adds lines; one that is there already is drawn once, or gets longer when it is joined."""
+    known = {series.label: series for series in into if series.label}
+    for series in others:
+        if series.label not in known:
+            into.append(replace(series))
+        elif series.joined:
+            before = known[series.label]
+            before.x, before.y = np.r_[before.x, series.x], np.r_[before.y, series.y]
+
+
 def merged_plots(rows: list[Row]) -> list[Plot]:
     """Plots of the same title, axes and case put together; a series is drawn once."""
-    merged: dict[tuple[str, str, str, str], Plot] = {}
+    merged: dict[tuple[str, ...], Plot] = {}
     for row in rows:
         if row.plot is None:
             continue
-        key = (row.case, row.plot.title, row.plot.x_label, row.plot.y_label)
-        into = merged.setdefault(key, Plot(row.plot.title, row.plot.x_label, row.plot.y_label, [],
-                                           row.plot.log_x, row.plot.log_y))
-        known = {series.label for series in into.series}
-        into.series += [series for series in row.plot.series if series.label not in known]
+        plot = row.plot
+        key = (row.case, plot.figure, plot.title, plot.x_label, plot.y_label)
+        into = merged.setdefault(key, replace(plot, series=[], below=[]))
+        _join(into.series, plot.series)
+        _join(into.below, plot.below)
     return list(merged.values())
+
+
+def write_figures(rows: list[Row], directory: Path) -> list[Path]:
+    """Writes the plots that are to be pictures of their own; returns their paths."""
+    paths = []
+    for plot in merged_plots(rows):
+        if plot.figure:
+            directory.mkdir(parents=True, exist_ok=True)
+            paths.append(directory / f"{plot.figure}.png")
+            figure = _figure(plot)
+            figure.savefig(paths[-1], dpi=130)
+            plt.close(figure)
+    return paths
 
 
 def _table(header: tuple[str, ...], body: list[str]) -> str:
@@ -114,7 +168,8 @@ def page(rows: list[Row], lines: list[RunLine], titles: dict[str, tuple[str, str
 
 def write(rows: list[Row], lines: list[RunLine], titles: dict[str, tuple[str, str]],
           directory: Path) -> Path:
-    """Writes index.html; returns its path."""
+    """Writes index.html and the pictures of figures/; returns the page's path."""
+    write_figures(rows, directory / "figures")
     path = directory / "index.html"
     path.write_text(page(rows, lines, titles))
     return path

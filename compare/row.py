@@ -19,6 +19,8 @@ class Series:
     style: str = "-"
     wide: bool = False  #: a broad pale line, for what others should lie on
     colour_of_previous: bool = False
+    joined: bool = False  #: points of the same label in other rows belong to the same line
+    band: Floats | None = None  #: from y to band is filled
 
 
 @dataclass
@@ -31,6 +33,9 @@ class Plot:
     series: list[Series]
     log_x: bool = False
     log_y: bool = False
+    figure: str = ""  #: file name, when it is to be a picture of its own
+    below: list[Series] = field(default_factory=list)  #: a smaller panel under it
+    below_label: str = ""
 
 
 @dataclass
@@ -76,5 +81,5 @@ class RunLine:
     elements: int
     bonds: int
     steps: int
-    wall_seconds: float
-    nanoseconds_per_bond_step: float
+    wall_seconds: float | None  #: None: not a measurement
+    nanoseconds_per_bond_step: float | None

@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 import shutil
+import threading
 import time
 import tomllib
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Hashable, Iterable
 
 from compare.case import Case, Check, Variant
 from compare.codes.base import Code, Job
@@ -40,15 +43,61 @@ def replace_words(text: str, words: dict[str, str]) -> str:
     return text
 
 
+class Once:
+    """Results by key, each made once though several threads ask for it; failures are kept too."""
+
+    def __init__(self) -> None:
+        """Nothing is known yet."""
+        self._lock = threading.Lock()
+        self._locks: dict[Hashable, threading.Lock] = {}
+        self.found: dict[Hashable, Any] = {}
+
+    def get(self, key: Hashable, make: Callable[[], Any]) -> Any:
+        """What was made for this key; raises the CodeFailure that making it ended with."""
+        with self._lock:
+            lock = self._locks.setdefault(key, threading.Lock())
+        with lock:
+            if key not in self.found:
+                try:
+                    self.found[key] = make()
+                except CodeFailure as failure:
+                    self.found[key] = failure
+        if isinstance(self.found[key], CodeFailure):
+            raise self.found[key]
+        return self.found[key]
+
+
+class Specimens:
+    """Specimens made in this run of the harness, for every case that has the same recipe."""
+
+    def __init__(self, directory: Path):
+        """Files go to `directory`; old ones are removed."""
+        self.directory, self._made = directory, Once()
+        shutil.rmtree(directory, ignore_errors=True)
+        directory.mkdir(parents=True)
+
+    def get(self, standalone: Standalone, scene: str, timeout: float) -> Path:
+        """The specimen of a scene's recipe."""
+        recipe = json.dumps(tomllib.loads(scene)["specimen"], sort_keys=True)
+        return Path(self._made.get(recipe, lambda: self._make(standalone, scene, recipe, timeout)))
+
+    def _make(self, standalone: Standalone, scene: str, recipe: str, timeout: float) -> Path:
+        name = hashlib.sha256(recipe.encode()).hexdigest()[:12]
+        path = self.directory / f"{name}.h5"
+        (self.directory / f"{name}.toml").write_text(table_text(scene, "specimen"))
+        standalone.call(["specimen", self.directory / f"{name}.toml", "--output", path],
+                        self.directory / name, timeout)
+        return path
+
+
 class CaseRuns:
     """Everything that was run for one case."""
 
-    def __init__(self, case: Case, codes: dict[str, Code], directory: Path, say: Say = print):
+    def __init__(self, case: Case, codes: dict[str, Code], directory: Path, specimens: Specimens,
+                 say: Say = print):
         """Files go to `directory`, one folder a variant and code; old ones are removed."""
         self.case, self.codes, self.directory, self._say = case, codes, directory, say
-        self._jobs: dict[str, tuple[Job, dict[str, Any]] | CodeFailure] = {}
-        self._results: dict[tuple[str, str], Result | CodeFailure] = {}
-        self._specimens: dict[str, Path] = {}
+        self._specimens, self._jobs, self._results = specimens, Once(), Once()
         self.kept: dict[Any, Any] = {}  #: what measures keep for one another
         shutil.rmtree(directory, ignore_errors=True)
         directory.mkdir(parents=True)
@@ -61,17 +110,6 @@ class CaseRuns:
             raise CodeFailure(f"{name} is missing: {reason}")
         return self.codes[name]
 
-    def _specimen(self, standalone: Standalone, scene: str, folder: Path) -> Path:
-        """The specimen of a scene's recipe, made once for all variants that share it."""
-        recipe = table_text(scene, "specimen")
-        if recipe not in self._specimens:
-            path = self.directory / f"specimen_{len(self._specimens)}.h5"
-            (folder / "recipe.toml").write_text(scene)
-            standalone.call(["specimen", folder / "recipe.toml", "--output", path],
-                            folder / "specimen", self.case.timeout)
-            self._specimens[recipe] = path
-        return self._specimens[recipe]
-
     def _prepare(self, variant: Variant) -> tuple[Job, dict[str, Any]]:
         if self.case.scene is None:
             raise CodeFailure(f"case {self.case.name} has no scene")
@@ -81,7 +119,7 @@ class CaseRuns:
         folder = self.directory / _file_name(variant.name)
         folder.mkdir()
         text = replace_words(self.case.scene.read_text(), variant.replace)
-        specimen = self._specimen(standalone, text, folder)
+        specimen = self._specimens.get(standalone, text, self.case.timeout)
         scene = folder / "scene.toml"
         scene.write_text(text.replace(table_text(text, "specimen"),
                                       f'[specimen]\nfile = "{specimen}"\n\n'))
@@ -94,24 +132,19 @@ class CaseRuns:
         frames = controls.get("output", {}).get("frames", 10)
         observe = controls["run"].get("observe_every", max(1, parameters.steps // 200))
         return Job(scene, prepared, explained, read_specimen(prepared), parameters, observe,
-                   max(1, parameters.steps // frames), timeout), meaning
+                   max(1, parameters.steps // max(1, frames)), timeout, self.case.options), meaning
 
     def _prepared(self, name: str) -> tuple[Job, dict[str, Any]]:
-        if name not in self._jobs:
-            self._say(f"  {self.case.name} / {name}: specimen ...")
-            start = time.perf_counter()
+        def make() -> tuple[Job, dict[str, Any]]:
             try:
-                self._jobs[name] = self._prepare(self.case.variant(name))
+                return self._prepare(self.case.variant(name))
             except CodeFailure as failure:
-                self._jobs[name] = CodeFailure(f"not prepared: {failure}")
+                raise CodeFailure(f"not prepared: {failure}") from failure
             except (PreparedError, OSError, KeyError, TypeError, ValueError) as error:
-                self._jobs[name] = CodeFailure(
-                    f"not prepared: {type(error).__name__}: {error}")
-            self._done(self._jobs[name], start)
-        job = self._jobs[name]
-        if isinstance(job, CodeFailure):
-            raise job
-        return job
+                raise CodeFailure(f"not prepared: {type(error).__name__}: {error}") from error
+        found: tuple[Job, dict[str, Any]] = self._jobs.get(
+            name, lambda: self._told(f"{self.case.name} / {name}: specimen", make))
+        return found
 
     def job(self, variant: str) -> Job:
         """The job of a variant; CodeFailure when the specimen could not be prepared."""
@@ -123,34 +156,51 @@ class CaseRuns:
 
     def result(self, variant: str, code: str) -> Result:
         """The result of a code, run on first demand; CodeFailure says why there is none."""
-        key = (variant, code)
-        if key not in self._results:
-            job = self.job(variant)
-            self._say(f"  {self.case.name} / {variant}: {code} ...")
-            start = time.perf_counter()
+        def make() -> Result:
             try:
                 folder = self.directory / _file_name(variant) / _file_name(code)
-                self._results[key] = self.code(code).run(job, folder).check()
-            except CodeFailure as failure:
-                self._results[key] = failure
+                return self.code(code).run(self.job(variant), folder).check()
+            except CodeFailure:
+                raise
             # An adaptor that breaks in a way nobody thought of is a failure, not an agreement.
             except Exception as error:  # noqa: BLE001
-                self._results[key] = CodeFailure(f"{code}: {type(error).__name__}: {error}")
-            self._done(self._results[key], start)
-        result = self._results[key]
-        if isinstance(result, CodeFailure):
-            raise result
+                raise CodeFailure(f"{code}: {type(error).__name__}: {error}") from error
+
+        def made() -> Result:
+            self.job(variant)
+            found: Result = self._told(f"{self.case.name} / {variant}: {code}", make)
+            return found
+        result: Result = self._results.get((variant, code), made)
         return result
 
-    def _done(self, outcome: object, start: float) -> None:
-        words = f"FAILED: {outcome}" if isinstance(outcome, CodeFailure) else "done"
-        self._say(f"    {words} ({time.perf_counter() - start:.1f} s)")
+    def run_ahead(self, pairs: Iterable[tuple[str, str]]) -> None:
+        """Runs variants in codes, two at a time; what fails is said when a check asks for it."""
+        def run(pair: tuple[str, str]) -> None:
+            try:
+                self.result(*pair)
+            except CodeFailure:
+                pass
+        with ThreadPoolExecutor(2) as pool:
+            list(pool.map(run, dict.fromkeys(pairs)))
+
+    def _told(self, what: str, make: Callable[[], Any]) -> Any:
+        start = time.perf_counter()
+        words = "done"
+        try:
+            return make()
+        except CodeFailure as failure:
+            words = f"FAILED: {failure}"
+            raise
+        finally:
+            self._say(f"  {what}: {words} ({time.perf_counter() - start:.1f} s)")
 
     def lines(self) -> list[RunLine]:
         """One line for each run that gave a result."""
         return [RunLine(self.case.name, variant, code, r.elements, r.bonds, r.steps,
-                        r.wall_seconds, r.nanoseconds_per_bond_step)
-                for (variant, code), r in self._results.items() if isinstance(r, Result)]
+                        r.wall_seconds if self.case.timed else None,
+                        r.nanoseconds_per_bond_step if self.case.timed else None)
+                for (variant, code), r in sorted(self._results.found.items())
+                if isinstance(r, Result)]
 
 
 def _file_name(name: str) -> str:
@@ -159,11 +209,12 @@ def _file_name(name: str) -> str:
 
 @dataclass(frozen=True)
 class View:
-    """All that a measure may look at: one check of one variant."""
+    """All that a measure may look at: one check of one variant, or of a group (`members`)."""
 
     runs: CaseRuns
     check: Check
     variant: Variant
+    group: tuple[Variant, ...] = ()
 
     @property
     def case(self) -> Case:
@@ -193,6 +244,11 @@ class View:
     def of(self, variant: Variant) -> View:
         """The same check of another variant."""
         return replace(self, variant=variant)
+
+    @property
+    def members(self) -> list[View]:
+        """One view for each variant of the group."""
+        return [self.of(variant) for variant in self.group]
 
     def option(self, name: str) -> Any:
         """An option of the check; CodeFailure names the one that is missing."""

@@ -29,7 +29,7 @@ def cells(row: Row) -> tuple[str, ...]:
 def run_cells(line: RunLine) -> tuple[str, ...]:
     """What the table of runs shows of a run."""
     return (line.case, line.variant, line.code, str(line.elements), str(line.bonds),
-            str(line.steps), number(line.wall_seconds), f"{line.nanoseconds_per_bond_step:.1f}")
+            str(line.steps), number(line.wall_seconds), number(line.nanoseconds_per_bond_step))
 
 
 def _aligned(header: tuple[str, ...], lines: list[tuple[str, ...]]) -> str:

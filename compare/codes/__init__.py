@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from compare.codes.base import Code
+from compare.codes.calculix import Calculix
 from compare.codes.liggghts import Liggghts
 from compare.codes.standalone import Standalone
 from compare.codes.yade import Yade
@@ -11,5 +12,5 @@ from compare.codes.yade import Yade
 
 def all_codes() -> dict[str, Code]:
     """Every adaptor by the name that cases use."""
-    codes: list[Code] = [Standalone(), Liggghts(), Yade()]
+    codes: list[Code] = [Standalone(), Liggghts(), Yade(), Calculix()]
     return {code.name: code for code in codes}

@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import subprocess
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol, Sequence
 
@@ -29,6 +29,7 @@ class Job:
     observe_every: int  #: steps between rows of the history
     frame_every: int  #: steps between frames
     timeout: float  #: s
+    options: dict[str, Any] = field(default_factory=dict)  #: of the case
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,9 @@ import numpy as np
 
 from compare.codes.base import ROOT, Job, TwoSpheres, run_program
 from compare.result import CodeFailure, Floats, Frame, Result
-from contrib.yade.prepared import Beams, Grip, Specimen
+from contrib.liggghts.export import (full, group_lines, heat_lines, sphere_density,
+                                     write_data)
+from contrib.yade.prepared import Beams, Grip, Parameters, PreparedError, Specimen
 
 BUILD = ROOT / "contrib" / "liggghts" / "build_prebuilt"
 
@@ -34,34 +36,6 @@ neighbor {skin:.17g} bin
 neigh_modify delay 0 once yes
 timestep {time_step:.17g}
 """
-
-
-def _full(value: float) -> str:
-    return f"{value:.17g}"
-
-
-def write_data(path: Path, specimen: Specimen, density: Floats) -> None:
-    """A LIGGGHTS data file; atom numbers are element indices plus one."""
-    margin = 4 * float(specimen.radius.max())
-    lower, upper = specimen.position.min(axis=0), specimen.position.max(axis=0)
-    margin += 0.2 * float((upper - lower).max())
-    low = np.where(specimen.periodic, specimen.lower, lower - margin)
-    high = np.where(specimen.periodic, specimen.upper, upper + margin)
-    count, bonds = len(specimen.radius), len(specimen.pairs)
-    most = int(np.bincount(specimen.pairs.ravel(), minlength=1).max()) if bonds else 1
-    with open(path, "w") as file:
-        file.write(f"specimen\n\n{count} atoms\n{bonds} bonds\n1 atom types\n1 bond types\n"
-                   f"{most} extra bond per atom\n\n")
-        for a, b, name in zip(low, high, "xyz"):
-            file.write(f"{_full(a)} {_full(b)} {name}lo {name}hi\n")
-        file.write("\nAtoms\n\n")
-        for n, (x, r, d) in enumerate(zip(specimen.position, specimen.radius, density)):
-            words = " ".join(map(_full, (*x, 2 * r, d)))
-            file.write(f"{n + 1} 1 {words} 1\n")
-        if bonds:
-            file.write("\nBonds\n\n")
-            for n, (i, j) in enumerate(specimen.pairs + 1):
-                file.write(f"{n + 1} 1 {i} {j}\n")
 
 
 def read_dump(path: Path, columns: dict[str, tuple[str, ...]], time_step: float) -> list[Frame]:
@@ -89,17 +63,10 @@ def read_dump(path: Path, columns: dict[str, tuple[str, ...]], time_step: float)
 
 
 def _beam_lines(specimen: Specimen, beams: Beams) -> str:
-    thickness = (f"pair {_full(beams.radius_ratio)}" if beams.radius_from == "pair"
-                 else f"radius {_full(beams.radius_ratio * beams.mean_radius)}")
-    return (f"bond_coeff 1 {_full(beams.young_modulus)} {_full(beams.shear_modulus)} {thickness}\n"
+    thickness = (f"pair {full(beams.radius_ratio)}" if beams.radius_from == "pair"
+                 else f"radius {full(beams.radius_ratio * beams.mean_radius)}")
+    return (f"bond_coeff 1 {full(beams.young_modulus)} {full(beams.shear_modulus)} {thickness}\n"
             "fix bonds all solidem/bonds\n")
-
-
-def _group_lines(name: str, elements: Any) -> str:
-    """A group of elements, a thousand numbers a line at most."""
-    ids = [str(i + 1) for i in elements]
-    return "".join(f"group {name} id {' '.join(ids[k:k + 1000])}\n"
-                   for k in range(0, len(ids), 1000))
 
 
 def _grip_lines(grips: list[tuple[Grip, Any]], every: int) -> str:
@@ -110,8 +77,8 @@ def _grip_lines(grips: list[tuple[Grip, Any]], every: int) -> str:
             raise CodeFailure(f"grip {grip.name}: free rotation is not supported in this adaptor")
         group = f"grip{number}"
         held.append(group)
-        lines += _group_lines(group, elements)
-        speed = " ".join("NULL" if v is None else _full(v) for v in grip.velocity)
+        lines += group_lines(group, elements)
+        speed = " ".join("NULL" if v is None else full(v) for v in grip.velocity)
         lines += f"fix {group} {group} move linear {speed} units box\n"
         lines += f"compute {group} {group} reduce sum fx fy fz\n"
         for axis in (1, 2, 3):
@@ -122,6 +89,41 @@ def _grip_lines(grips: list[tuple[Grip, Any]], every: int) -> str:
         lines += (f'fix history all print {every} "{" ".join(["$(step)", *columns])}" '
                   'file history.txt title "#" screen no\n')
     return lines + f"fix motion {'free' if held else 'all'} nve/solidem\n"
+
+
+def _heat_columns(parameters: Parameters) -> dict[str, str]:
+    """Columns of the history of heat, and the fixes whose scalars they are."""
+    return {
+        "thermal_energy": "heat",
+        **{f"temperature.{name}.heat": f"temperature{number}"
+           for number, name in enumerate(parameters.temperatures)},
+        **{f"{name}.heat": f"exchange{number}"
+           for number, name in enumerate(parameters.exchanges)}}
+
+
+def _heat_lines(job: Job, explained: dict[str, Any], directory: Path) -> str:
+    """Conduction and what heats the body; heat goes to the log."""
+    fixes = " ".join(f"f_{fix}" for fix in _heat_columns(job.parameters).values())
+    return (heat_lines(job.specimen, job.parameters, explained, directory)
+            + f"thermo_style custom step {fixes}\nthermo {job.observe_every}\n"
+            + "thermo_modify format float %.17g norm no\n")
+
+
+def _read_thermo(path: Path) -> Floats:
+    """Rows of the last thermo table of a log."""
+    table = path.read_text(errors="replace").rpartition("\nStep ")[2].partition("\nLoop time")[0]
+    try:
+        return np.array([line.split() for line in table.splitlines()[1:]], dtype=float)
+    except ValueError as error:
+        raise CodeFailure(f"liggghts wrote a torn log: {error}") from error
+
+
+def _read_rows(path: Path) -> Floats:
+    """Rows of numbers that LIGGGHTS printed."""
+    try:
+        return np.atleast_2d(np.loadtxt(path, ndmin=2))
+    except (OSError, ValueError) as error:
+        raise CodeFailure(f"liggghts wrote no usable history: {error}") from error
 
 
 @dataclass
@@ -147,7 +149,7 @@ class Liggghts:
         return None
 
     def _execute(self, script: str, directory: Path, timeout: float) -> float:
-        """Runs a script; returns the seconds of its first run's steps, writing left out."""
+        """Runs a script; returns the seconds of its last run's steps, writing left out."""
         (directory / "in.script").write_text(script)
         if reason := self.missing():
             raise CodeFailure(reason)
@@ -155,36 +157,31 @@ class Liggghts:
         run_program([self.program, "-in", "in.script"], directory, timeout,
                     {"OMP_NUM_THREADS": "1"})
         log = (directory / "output.log").read_text(errors="replace")
-        found = re.search(r"Loop time of (\S+) on", log)
+        found = re.findall(r"Loop time of (\S+) on", log)
         if not found:
             raise CodeFailure(f"liggghts did not finish its run; see {directory / 'output.log'}")
-        writing = re.search(r"Outpt time \(%\) = (\S+)", log)
-        return float(found.group(1)) - (float(writing.group(1)) if writing else 0.0)
+        writing = re.findall(r"Outpt time \(%\) = (\S+)", log)
+        return float(found[-1]) - (float(writing[-1]) if writing else 0.0)
 
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job of beams, of conduction, or of both."""
+        try:
+            return self._run(job, directory)
+        except PreparedError as error:
+            raise CodeFailure(f"liggghts: {error}") from error
+
+    def _run(self, job: Job, directory: Path) -> Result:
         directory.mkdir(parents=True, exist_ok=True)
         specimen, parameters = job.specimen, job.parameters
         explained = json.loads(job.explained.read_text())
-        volume = 4 / 3 * np.pi * specimen.radius**3
-        density = (specimen.column("mechanics/mass") / volume if parameters.beams
-                   else np.full(len(volume), float(explained["density"])))
-        write_data(directory / "specimen.data", specimen, density)
+        write_data(directory / "specimen.data", specimen, sphere_density(specimen, explained))
         script = HEAD.format(
             boundary=" ".join("p" if p else "f" for p in specimen.periodic),
             bond_style="solidem/beam" if parameters.beams else "none",
             skin=0.5 * float(specimen.radius.mean()), time_step=parameters.time_step)
         columns: dict[str, tuple[str, ...]] = {}
         if parameters.conduction:
-            law = explained["laws"]["conduction"]
-            script += ("fix conduction all solidem/conduction law platonic "
-                       f"conductivity {_full(parameters.conduction.conductivity)} "
-                       f"specific_heat {_full(law['specific_heat_capacity'])} "
-                       f"density {_full(explained['density'])} initial_temperature "
-                       f"{_full(parameters.conduction.initial_temperature)}\n")
-            for number, (name, value) in enumerate(parameters.temperatures.items()):
-                script += _group_lines(f"hot{number}", specimen.sets[f"temperature.{name}"])
-                script += f"fix hot{number} hot{number} solidem/temperature {_full(value)}\n"
+            script += _heat_lines(job, explained, directory)
             columns["temperature"] = ("f_Temp",)
         if parameters.beams:
             script += _beam_lines(specimen, parameters.beams)
@@ -194,21 +191,24 @@ class Liggghts:
         headings = [h for parts in columns.values() for h in parts]
         script += f"dump frames all custom {job.frame_every} frames.dump id {' '.join(headings)}\n"
         script += f'dump_modify frames sort id format "%d{" %.17g" * len(headings)}"\n'
-        script += f"thermo {max(1, parameters.steps // 10)}\nrun {parameters.steps}\n"
+        script += f"run {parameters.steps}\n"
         wall = self._execute(script, directory, job.timeout)
         frames = read_dump(directory / "frames.dump", columns, parameters.time_step)
-        return Result(self.name, len(volume), len(specimen.pairs), parameters.steps,
+        return Result(self.name, len(specimen.radius), len(specimen.pairs), parameters.steps,
                       parameters.time_step, wall, self._history(job, directory), frames)
 
     def _history(self, job: Job, directory: Path) -> dict[str, Floats]:
-        """Forces of the grips on the body, which balance the bonds' forces on the grips."""
+        """Heat, and forces of the grips on the body, which balance the bonds' on the grips."""
+        history: dict[str, Floats] = {}
+        if job.parameters.conduction:
+            rows = _read_thermo(directory / "output.log")
+            history = {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
+            for number, name in enumerate(_heat_columns(job.parameters)):
+                history[name] = rows[:, 1 + number]
         if not job.parameters.grips or not job.parameters.beams:
-            return {}
-        try:
-            rows = np.loadtxt(directory / "history.txt", ndmin=2)
-        except (OSError, ValueError) as error:
-            raise CodeFailure(f"liggghts wrote no usable history: {error}") from error
-        history = {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
+            return history
+        rows = _read_rows(directory / "history.txt")
+        history |= {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
         for number, grip in enumerate(job.parameters.grips):
             for axis, name in enumerate("xyz"):
                 history[f"grip.{grip.name}.force_{name}"] = -rows[:, 1 + 3 * number + axis]
