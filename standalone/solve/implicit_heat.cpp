@@ -67,7 +67,8 @@ bool ImplicitHeat::solve_stage(HeatBody& body, const HeatState& from,
     const double floor =
         16 * std::numeric_limits<double>::epsilon() * (1 + theta * stiffness_rate_) * warmest;
     const double goal = std::max(tolerance > 0 ? tolerance : 1e-10 * warmest, floor);
-    if (size <= goal) return true;
+    // A stage that no solve has touched is an explicit one: it would amplify what it is given.
+    if (size <= floor || (size <= goal && sweep > 0)) return true;
     if (!(size < 1e3 * last)) return false;
     // Sweeps that hardly gain need the matrix of where they have got to.
     if (!body.equation().is_linear() && size > 0.3 * last) prepare(body, stage, theta);

@@ -26,9 +26,25 @@ int SuperTimeStepping::stages(double ratio) {
 
 bool SuperTimeStepping::step(HeatBody& body, const HeatState& from, double h, double,
                              std::vector<double>& received) {
+  // Properties that change on the way may ask for more stages at the end than at the start.
+  int s = stages(h / body.stable_step(from));
+  for (int trial = 0; trial < 4; ++trial) {
+    step_in_stages(body, from, h, s, received);
+    if (body.equation().is_linear()) return true;
+    body.warm(from, received, from.time + h, stage_);
+    const double stable_step = body.stable_step(stage_);
+    if (!(stable_step > 0)) return false;
+    const int needed = stages(h / stable_step);
+    if (needed <= s) return true;
+    s = needed;
+  }
+  return false;
+}
+
+void SuperTimeStepping::step_in_stages(HeatBody& body, const HeatState& from, double h, int s,
+                                       std::vector<double>& received) {
   // Y_j, the heat received up to stage j, obeys the recursion of the temperatures without its
   // terms in the state at the start; accounts are elements of it like any other.
-  const int s = stages(h / body.stable_step(from));
   const double w = 4.0 / (double(s) * s + s - 2);
   const std::size_t size = body.size();
   before_.assign(size, 0.0);
@@ -56,7 +72,6 @@ bool SuperTimeStepping::step(HeatBody& body, const HeatState& from, double h, do
     time_before = time;
     time = time_next;
   }
-  return true;
 }
 
 double SuperTimeStepping::error(HeatBody& body, const HeatState& from, const HeatState& to,

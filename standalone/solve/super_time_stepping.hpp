@@ -28,6 +28,9 @@ class SuperTimeStepping : public HeatMethod {
   static int stages(double ratio);
 
  private:
+  void step_in_stages(HeatBody& body, const HeatState& from, double h, int s,
+                      std::vector<double>& received);
+
   HeatState stage_;
   std::vector<double> before_, next_;
 };
