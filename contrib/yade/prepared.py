@@ -23,6 +23,14 @@ class PreparedError(ValueError):
     """A prepared specimen or its parameters cannot be used; says file, place, value and remedy."""
 
 
+@dataclass(frozen=True)
+class Values:
+    """A value for each of some elements."""
+
+    elements: Integers  #: (n,) zero-based
+    values: Floats  #: (n,)
+
+
 @dataclass
 class Specimen:
     """Elements and bonds of one body; the order of elements is that of the file, in every code."""
@@ -32,10 +40,13 @@ class Specimen:
     radius: Floats  #: (N,) m
     pairs: Integers  #: (B, 2), i < j
     sets: dict[str, Integers] = field(default_factory=dict)
-    columns: dict[str, Floats] = field(default_factory=dict)  #: "mechanics/mass" -> (N,)
+    columns: dict[str, Floats] = field(default_factory=dict)  #: "mechanics/mass" -> (N,) or (B,)
     periodic: tuple[bool, bool, bool] = (False, False, False)
     lower: Floats = field(default_factory=lambda: np.zeros(3))  #: corner of the body's box, m
     upper: Floats = field(default_factory=lambda: np.zeros(3))  #: the opposite corner, m
+    volume: float = 0.0  #: of the body, m³
+    exchanges: dict[str, Values] = field(default_factory=dict)  #: conductances to the outside, W/K
+    powers: dict[str, Values] = field(default_factory=dict)  #: constant heat sources, W
 
     @property
     def rest_length(self) -> Floats:
@@ -44,7 +55,7 @@ class Specimen:
         return np.sqrt(np.einsum("ij,ij->i", chord, chord))
 
     def column(self, name: str) -> Floats:
-        """A value for each element; PreparedError when `solidem prepare` did not store it."""
+        """A value for each element or bond; PreparedError when `solidem prepare` did not store it."""
         if name not in self.columns:
             raise PreparedError(
                 f"{self.path}: /{name} is missing; prepare the specimen from a scene that uses it"
@@ -71,10 +82,13 @@ class Beams:
 
 @dataclass(frozen=True)
 class Conduction:
-    """Material of the conducting body."""
+    """Law and material of the conducting body."""
 
     conductivity: float  #: λ, W/(m K)
     initial_temperature: float  #: K
+    specific_heat_capacity: float = float("nan")  #: c_p, J/(kg K)
+    law: str = "platonic"  #: or "platonic-calibrated", "voronoi"
+    area_factor: float = 1.0  #: of platonic-calibrated
 
 
 @dataclass(frozen=True)
@@ -96,6 +110,20 @@ class Parameters:
     conduction: Conduction | None
     grips: tuple[Grip, ...]
     temperatures: dict[str, float]  #: name -> imposed temperature, K
+    exchanges: dict[str, float] = field(default_factory=dict)  #: name -> outer temperature, K
+    powers: tuple[str, ...] = ()  #: names of constant heat sources
+    unsupported: tuple[str, ...] = ()  #: what the scene asks of solidem alone
+
+    def require_support(self) -> None:
+        """PreparedError when the scene asks for what other codes are not given."""
+        if self.unsupported:
+            raise PreparedError("; ".join(self.unsupported))
+
+
+def _values(group: Any, name: str) -> dict[str, Values]:
+    """Values of some elements by the names of the groups that hold them."""
+    return {key: Values(np.asarray(entry["elements"][:], dtype=np.int64),
+                        np.asarray(entry[name][:], dtype=float)) for key, entry in group.items()}
 
 
 def read_specimen(path: str | Path) -> Specimen:
@@ -106,6 +134,7 @@ def read_specimen(path: str | Path) -> Specimen:
             if "elements/position" not in file or "elements/radius" not in file:
                 raise PreparedError(f"{path}: no /elements/position and /elements/radius")
             groups = [name for name in ("mechanics", "conduction") if name in file]
+            loads = file.get("conduction", {})
             domain = dict(file["domain"].attrs) if "domain" in file else {}
             periodic = [bool(p) for p in domain.get("periodic", (0, 0, 0))]
             pairs = file["bonds/pairs"][:] if "bonds/pairs" in file else np.zeros((0, 2))
@@ -116,10 +145,13 @@ def read_specimen(path: str | Path) -> Specimen:
                 np.asarray(pairs, dtype=np.int64),
                 {k: np.asarray(v[:], dtype=np.int64) for k, v in file.get("sets", {}).items()},
                 {f"{g}/{k}": np.asarray(v[:], dtype=float) for g in groups
-                 for k, v in file[g].items()},
+                 for k, v in file[g].items() if isinstance(v, h5py.Dataset)},
                 (periodic[0], periodic[1], periodic[2]),
                 np.array(domain.get("lower", np.zeros(3)), dtype=float),
                 np.array(domain.get("upper", np.zeros(3)), dtype=float),
+                float(domain.get("volume", 0.0)),
+                _values(loads.get("exchanges", {}), "conductance"),
+                _values(loads.get("powers", {}), "power"),
             )
     except OSError as error:
         raise PreparedError(f"{path}: cannot be read as HDF5 ({error})") from error
@@ -150,23 +182,67 @@ def _grip(entry: dict[str, Any]) -> Grip:
     return Grip(entry["name"], (x, y, z), entry["rotation"] == "fixed")
 
 
+def _conduction(law: dict[str, Any], unsupported: list[str]) -> Conduction:
+    """Law and material; what is not one number is unsupported, and nan."""
+    def number(name: str) -> float:
+        value = law.get(name)
+        if isinstance(value, (int, float)):
+            return float(value)
+        unsupported.append(f"{name} is {value}; only one number for the whole body is understood")
+        return float("nan")
+
+    if law.get("integrator", "explicit") != "explicit":
+        unsupported.append(f"integrator {law['integrator']!r}; only 'explicit' is understood")
+    return Conduction(
+        number("conductivity"), number("initial_temperature"),
+        number("specific_heat_capacity") if "specific_heat_capacity" in law else float("nan"),
+        law.get("law", "platonic"), float(law.get("area_factor") or 1.0))
+
+
+def _temperatures(entries: list[dict[str, Any]], unsupported: list[str]) -> dict[str, float]:
+    """Imposed temperatures that stay the same; others are unsupported."""
+    found = {}
+    for entry in entries:
+        try:
+            found[entry["name"]] = _constant(entry["value"], f"temperature {entry['name']}")
+        except PreparedError as error:
+            unsupported.append(str(error))
+    return found
+
+
+def _exchanges(entries: list[dict[str, Any]], unsupported: list[str]) -> dict[str, float]:
+    """Outer temperatures that stay the same; others are unsupported."""
+    for entry in entries:
+        if entry["temperature"] is None:
+            unsupported.append(f"exchange {entry['name']}: varies with time; only constants are "
+                               "understood")
+    return {entry["name"]: float(entry["temperature"]) for entry in entries
+            if entry["temperature"] is not None}
+
+
 def parse_parameters(explained: dict[str, Any]) -> Parameters:
     """Parameters from the object that `solidem explain --json` prints."""
     laws = explained.get("laws", {})
     beams = conduction = None
+    unsupported: list[str] = []
     if laws.get("beams"):
         beams = Beams(**{k: laws["beams"][k] for k in Beams.__dataclass_fields__})
     if laws.get("conduction"):
-        conduction = Conduction(
-            **{k: laws["conduction"][k] for k in Conduction.__dataclass_fields__})
+        conduction = _conduction(laws["conduction"], unsupported)
+    for entry in explained.get("powers") or []:
+        if not entry["constant"]:
+            unsupported.append(f"heat source {entry['name']}: varies; only constants in elements "
+                               "that stay the same are understood")
     return Parameters(
         float(explained["time_step"]["value"]),
         int(explained["steps"]),
         beams,
         conduction,
         tuple(_grip(entry) for entry in explained.get("grips") or []),
-        {t["name"]: _constant(t["value"], f"temperature {t['name']}")
-         for t in explained.get("temperatures") or []},
+        _temperatures(explained.get("temperatures") or [], unsupported),
+        _exchanges(explained.get("exchanges") or [], unsupported),
+        tuple(entry["name"] for entry in explained.get("powers") or []),
+        tuple(unsupported),
     )
 
 

@@ -1,0 +1,177 @@
+#!/usr/bin/env -S /usr/bin/python3 -B
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Writes what LIGGGHTS reads from a prepared specimen and what its scene says of heat.
+
+    solidem prepare scene.toml --output prepared.h5
+    solidem explain scene.toml --json > explained.json
+    contrib/liggghts/export.py prepared.h5 explained.json DIRECTORY
+
+writes DIRECTORY/body.data and DIRECTORY/heat.in, to be included after read_data; besides, where the
+scene has such, cells.txt (law voronoi), walls.txt (exchanges) and sources.txt (heat
+sources).
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from contrib.yade.prepared import (Floats, Parameters, PreparedError, Specimen,  # noqa: E402
+                                   parse_parameters, read_specimen)
+
+
+def full(value: float) -> str:
+    """A number with all its digits."""
+    return f"{value:.17g}"
+
+
+def write_data(path: Path, specimen: Specimen, density: Floats) -> None:
+    """A LIGGGHTS data file; atom numbers are element indices plus one."""
+    margin = 4 * float(specimen.radius.max())
+    lower, upper = specimen.position.min(axis=0), specimen.position.max(axis=0)
+    margin += 0.2 * float((upper - lower).max())
+    low = np.where(specimen.periodic, specimen.lower, lower - margin)
+    high = np.where(specimen.periodic, specimen.upper, upper + margin)
+    count, bonds = len(specimen.radius), len(specimen.pairs)
+    most = int(np.bincount(specimen.pairs.ravel(), minlength=1).max()) if bonds else 1
+    with open(path, "w") as file:
+        file.write(f"specimen\n\n{count} atoms\n{bonds} bonds\n1 atom types\n1 bond types\n"
+                   f"{most} extra bond per atom\n\n")
+        for a, b, name in zip(low, high, "xyz"):
+            file.write(f"{full(a)} {full(b)} {name}lo {name}hi\n")
+        file.write("\nAtoms\n\n")
+        for n, (x, r, d) in enumerate(zip(specimen.position, specimen.radius, density)):
+            words = " ".join(map(full, (*x, 2 * r, d)))
+            file.write(f"{n + 1} 1 {words} 1\n")
+        if bonds:
+            file.write("\nBonds\n\n")
+            for n, (i, j) in enumerate(specimen.pairs + 1):
+                file.write(f"{n + 1} 1 {i} {j}\n")
+
+
+def sphere_density(specimen: Specimen, explained: dict[str, Any]) -> Floats:
+    """(N,) densities of the spheres that give elements the masses they stand for, kg/m³."""
+    sphere = 4 / 3 * np.pi * specimen.radius**3
+    if "mechanics/mass" in specimen.columns:
+        return specimen.column("mechanics/mass") / sphere
+    if specimen.volume <= 0:
+        raise PreparedError(f"{specimen.path}: no volume of the body in /domain")
+    return np.full(len(sphere), _density(explained) * specimen.volume / sphere.sum())
+
+
+def write_cells(path: Path, specimen: Specimen) -> None:
+    """Volumes and faces of the cells, for law voronoi."""
+    volume = specimen.column("conduction/volume")
+    area, distance = specimen.column("conduction/area"), specimen.column("conduction/distance")
+    with open(path, "w") as file:
+        file.write(f"volumes {len(volume)}\n")
+        for n, v in enumerate(volume):
+            file.write(f"{n + 1} {full(v)}\n")
+        file.write(f"\nfaces {len(area)}\n")
+        for (i, j), a, d in zip(specimen.pairs + 1, area, distance):
+            file.write(f"{i} {j} {full(a)} {full(d)}\n")
+
+
+def write_walls(path: Path, specimen: Specimen) -> None:
+    """Conductances to the outside, one section for each exchange."""
+    with open(path, "w") as file:
+        for name, exchange in specimen.exchanges.items():
+            file.write(f"{section(name)} {len(exchange.elements)}\n")
+            for i, g in zip(exchange.elements, exchange.values):
+                file.write(f"{i + 1} {full(g)}\n")
+
+
+def section(name: str) -> str:
+    """What a section of an exchange is called: one word."""
+    return name.replace(" ", "_")
+
+
+def group_lines(name: str, elements: Any) -> str:
+    """A group of elements, a thousand numbers a command at most."""
+    ids = [str(i + 1) for i in elements]
+    return "".join(f"group {name} id {' '.join(ids[k:k + 1000])}\n"
+                   for k in range(0, len(ids), 1000))
+
+
+def _density(explained: dict[str, Any]) -> float:
+    if not isinstance(explained.get("density"), (int, float)):
+        raise PreparedError(f"density is {explained.get('density')}; only one number for the whole "
+                            "body is understood")
+    return float(explained["density"])
+
+
+def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, Any],
+               directory: Path) -> str:
+    """The commands for conduction and what heats the body; their files go to the directory.
+
+    The fixes are called heat, temperature0 ..., exchange0 ... in the order of the scene.
+    """
+    parameters.require_support()
+    law = parameters.conduction
+    if law is None:
+        raise PreparedError(f"{specimen.path}: the scene has no [conduction]")
+    words = f"law {law.law}"
+    if law.law == "platonic-calibrated":
+        words += f" area_factor {full(law.area_factor)} volume {full(specimen.volume)}"
+    elif law.law == "voronoi":
+        words += " file cells.txt"
+        write_cells(directory / "cells.txt", specimen)
+    lines = (f"fix heat all solidem/conduction {words} conductivity {full(law.conductivity)} "
+             f"specific_heat {full(law.specific_heat_capacity)} density {full(_density(explained))} "
+             f"initial_temperature {full(law.initial_temperature)}\n")
+    for number, (name, value) in enumerate(parameters.temperatures.items()):
+        lines += group_lines(f"temperature{number}", specimen.sets[f"temperature.{name}"])
+        lines += f"fix temperature{number} temperature{number} solidem/temperature {full(value)}\n"
+    if parameters.exchanges:
+        write_walls(directory / "walls.txt", specimen)
+    for number, (name, value) in enumerate(parameters.exchanges.items()):
+        if name not in specimen.exchanges:
+            raise PreparedError(f"{specimen.path}: /conduction/exchanges/{name} is missing")
+        lines += (f"fix exchange{number} all solidem/exchange file walls.txt name {section(name)} "
+                  f"temperature {full(value)}\n")
+    if parameters.powers:
+        _write_sources(directory / "sources.txt", specimen, parameters)
+        lines += ("run 0\nvariable sources atomfile sources.txt\n"
+                  "set group all property/atom heatSource v_sources\n")
+    return lines
+
+
+def _write_sources(path: Path, specimen: Specimen, parameters: Parameters) -> None:
+    """Constant power into each element, for a variable of style atomfile; zero if not listed."""
+    power = np.zeros(len(specimen.radius))
+    for name in parameters.powers:
+        if name not in specimen.powers:
+            raise PreparedError(f"{specimen.path}: /conduction/powers/{name} is missing")
+        np.add.at(power, specimen.powers[name].elements, specimen.powers[name].values)
+    heated = np.flatnonzero(power)
+    path.write_text("".join([f"{len(heated)}\n", *(f"{i + 1} {full(power[i])}\n" for i in heated)]))
+
+
+def main() -> None:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("specimen", type=Path, help="output of solidem prepare, HDF5")
+    parser.add_argument("parameters", type=Path, help="output of solidem explain --json")
+    parser.add_argument("directory", type=Path, help="where the files go")
+    arguments = parser.parse_args()
+    arguments.directory.mkdir(parents=True, exist_ok=True)
+    try:
+        specimen = read_specimen(arguments.specimen)
+        explained = json.loads(arguments.parameters.read_text())
+        lines = heat_lines(specimen, parse_parameters(explained), explained, arguments.directory)
+        write_data(arguments.directory / "body.data", specimen, sphere_density(specimen, explained))
+        (arguments.directory / "heat.in").write_text(lines)
+    except (PreparedError, OSError, ValueError) as error:
+        sys.exit(f"export.py: {error}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""From a prepared specimen to LIGGGHTS: contrib/liggghts/export.py."""
+
+import json
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import pytest
+
+from heat_network import CONDUCTIVITY, DENSITY, SPECIFIC_HEAT, STEP, Network, network
+from liggghts_runs import CONTRIB, HEADER, Liggghts, dump, read_dump
+
+STEPS = 50
+EXPLAINED: dict[str, Any] = {
+    "time_step": {"value": STEP},
+    "steps": STEPS,
+    "density": DENSITY,
+    "laws": {
+        "conduction": {
+            "law": "voronoi",
+            "conductivity": CONDUCTIVITY,
+            "specific_heat_capacity": SPECIFIC_HEAT,
+            "initial_temperature": 298.0,
+            "integrator": "explicit",
+        }
+    },
+    "temperatures": [{"name": "held", "value": {"time": [0.0], "value": [500.0]}}],
+    "exchanges": [{"name": "left", "temperature": 798.0}, {"name": "right", "temperature": 280.0}],
+    "powers": [{"name": "laser", "constant": True}, {"name": "lamp", "constant": True}],
+}
+HELD = np.arange(40, 50)
+LASER, LAMP = np.arange(90, 110), np.arange(100, 120)
+
+
+@pytest.fixture(scope="module")
+def body() -> Network:
+    return network()
+
+
+def prepare(body: Network, folder: Path, explained: dict[str, Any]) -> subprocess.CompletedProcess:
+    """Writes a prepared specimen and exports it to the folder `out`."""
+    with h5py.File(folder / "prepared.h5", "w") as file:
+        file["elements/position"], file["elements/radius"] = body.body.position, body.body.radius
+        file["bonds/pairs"] = body.body.pairs.astype("i4")
+        file.create_group("domain").attrs["volume"] = body.volume.sum()
+        file["conduction/area"], file["conduction/distance"] = body.area, body.distance
+        file["conduction/volume"], file["conduction/heat_capacity"] = body.volume, body.capacity
+        for name, (elements, conductance) in body.walls.items():
+            file[f"conduction/exchanges/{name}/elements"] = elements.astype("i4")
+            file[f"conduction/exchanges/{name}/conductance"] = conductance
+        for name, elements in (("laser", LASER), ("lamp", LAMP)):
+            file[f"conduction/powers/{name}/elements"] = elements.astype("i4")
+            file[f"conduction/powers/{name}/power"] = np.full(len(elements), 3.0)
+        file["sets/temperature.held"] = HELD.astype("i4")
+    (folder / "explained.json").write_text(json.dumps(explained))
+    return subprocess.run(
+        [CONTRIB / "export.py", "prepared.h5", "explained.json", "out"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
+
+
+def expected(body: Network) -> np.ndarray:
+    temperature = np.full(len(body.volume), 298.0)
+    temperature[HELD] = 500
+    source = np.zeros(len(body.volume))
+    source[LASER] += 3
+    source[LAMP] += 3
+    for _ in range(STEPS):
+        power = body.power(temperature, {"left": 798.0, "right": 280.0}) + source
+        temperature = temperature + STEP / body.capacity * power
+        temperature[HELD] = 500
+    return temperature
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_what_is_exported_runs(
+    liggghts: Liggghts, tmp_path: Path, body: Network, ranks: int
+) -> None:
+    done = prepare(body, tmp_path, EXPLAINED)
+    assert done.returncode == 0, done.stderr
+    script = HEADER + (
+        "boundary f f f\nnewton off\nread_data body.data\nneighbor 0.2e-3 bin\npair_style none\n"
+        f"include heat.in\ntimestep {STEP}\n" + dump("state", STEPS, "f_Temp") + f"run {STEPS}\n"
+    )
+    liggghts.run(tmp_path / "out", script, ranks)
+    found = read_dump(tmp_path / "out" / "state.txt")[STEPS][:, 0]
+    assert np.abs(found / expected(body) - 1).max() <= 1e-13
+
+
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        ({"exchanges": [{"name": "left", "temperature": None}]}, "exchange left: varies with time"),
+        ({"powers": [{"name": "torch", "constant": False}]}, "heat source torch: varies"),
+        ({"powers": [{"name": "torch", "constant": True}]}, "/conduction/powers/torch is missing"),
+        (
+            {"temperatures": [{"name": "held", "value": {"time": [0, 1], "value": [1, 2]}}]},
+            "temperature held: ",
+        ),
+        ({"density": None}, "density is None; only one number"),
+    ],
+)
+def test_what_cannot_be_exported_is_told(
+    tmp_path: Path, body: Network, change: dict[str, Any], message: str
+) -> None:
+    done = prepare(body, tmp_path, {**EXPLAINED, **change})
+    assert done.returncode != 0
+    assert message in done.stderr
+    assert not (tmp_path / "out" / "heat.in").exists()
+
+
+@pytest.mark.parametrize(
+    "key, value, message",
+    [
+        ("integrator", "rkl2", "integrator 'rkl2'; only 'explicit'"),
+        ("conductivity", {"temperature": [300], "value": [1]}, "conductivity is {"),
+    ],
+)
+def test_laws_that_cannot_be_exported_are_told(
+    tmp_path: Path, body: Network, key: str, value: Any, message: str
+) -> None:
+    law = {**EXPLAINED["laws"]["conduction"], key: value}
+    done = prepare(body, tmp_path, {**EXPLAINED, "laws": {"conduction": law}})
+    assert done.returncode != 0
+    assert message in done.stderr
