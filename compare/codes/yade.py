@@ -20,7 +20,7 @@ class Yade:
 
     name: str = "yade"
     program: str = "yade"
-    law: str = "native"
+    law: str | None = None  #: --law of contrib/yade/run.py; None: its default
 
     def missing(self) -> str | None:
         """Why YADE cannot be used."""
@@ -36,8 +36,9 @@ class Yade:
 
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job."""
+        law = ["--law", self.law] if self.law else []
         self._run("run.py", [
-            job.prepared, job.explained, directory / "results", "--law", self.law,
+            job.prepared, job.explained, directory / "results", *law,
             "--observe-every", str(job.observe_every), "--frame-every", str(job.frame_every),
         ], directory, job.timeout)
         if not (directory / "results" / "summary.json").exists():

@@ -31,11 +31,19 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--steps", type=int, help="instead of the scene's")
     parser.add_argument("--observe-every", type=int, help="steps between rows (1/200 of the run)")
     parser.add_argument("--frame-every", type=int, help="steps between frames (1/10 of the run)")
-    parser.add_argument("--law", default="native", choices=["native", "incremental", "scripted"])
+    parser.add_argument("--law", choices=["native", "incremental", "scripted"],
+                        help="default: native; scripted for conduction of law voronoi")
     return parser.parse_args(sys.argv[1:])
 
 
+def _default_law(parameters: Parameters) -> str:
+    """YADE's own laws, where it has them."""
+    has_faces = parameters.conduction is not None and parameters.conduction.law == "voronoi"
+    return "scripted" if has_faces else "native"
+
+
 def _scene(specimen: Specimen, parameters: Parameters, law: str):
+    parameters.require_support()
     if parameters.beams and parameters.conduction:
         raise SystemExit("run.py: beams and conduction together are not supported in YADE")
     if parameters.beams:
@@ -59,7 +67,8 @@ def main() -> None:
     specimen = read_specimen(arguments.specimen)
     parameters = read_parameters(arguments.parameters)
     steps = arguments.steps or parameters.steps
-    scene = _scene(specimen, parameters, arguments.law)
+    law = arguments.law or _default_law(parameters)
+    scene = _scene(specimen, parameters, law)
     scene.recorder = recorder = Recorder(
         arguments.directory, arguments.observe_every or max(1, steps // 200),
         arguments.frame_every or max(1, steps // 10), steps)
@@ -68,7 +77,7 @@ def main() -> None:
     wall = time.perf_counter() - prepared - recorder.observing_seconds
     bonds = len(specimen.pairs)
     recorder.write({
-        "program": f"YADE {config.version}", "law": arguments.law,
+        "program": f"YADE {config.version}", "law": law,
         "elements": len(specimen.radius), "bonds": bonds, "steps": steps,
         "time_step": parameters.time_step, "simulated_time": steps * parameters.time_step,
         "wall_seconds": {"set_up": prepared - started, "steps": wall},

@@ -49,6 +49,15 @@ def bar(tmp_path_factory: pytest.TempPathFactory) -> Bar:
         file["mechanics/mass"], file["mechanics/inertia"] = mass, 0.4 * mass * radius**2
         file["conduction/transmission_area"] = radius**2 * random.uniform(2, 6, len(cell))
         file["conduction/heat_capacity"] = 880 * 1.9 * mass
+        file["conduction/area"] = RADIUS**2 * random.uniform(0.1, 4, len(pairs))
+        file["conduction/distance"] = RADIUS * random.uniform(1.5, 2.5, len(pairs))
+        for name, layer in (("left", 0), ("top", CELLS[0] - 1)):
+            elements = np.flatnonzero(cell[:, 0] == layer)
+            exchange = file.create_group(f"conduction/exchanges/{name}")
+            exchange["elements"] = elements
+            exchange["conductance"] = CONDUCTIVITY * RADIUS * random.uniform(0.1, 4, len(elements))
+        file["conduction/powers/laser/elements"] = np.arange(50, 70)
+        file["conduction/powers/laser/power"] = random.uniform(1, 5, 20)
         file["sets/grip.left"] = np.flatnonzero(cell[:, 0] == 0)
         file["sets/grip.right"] = np.flatnonzero(cell[:, 0] == CELLS[0] - 1)
         file["sets/temperature.hot"] = np.flatnonzero(cell[:, 0] == 0)
@@ -75,12 +84,21 @@ def beam_task(bar: Bar, speed: float, steps: int) -> dict[str, Any]:
                   {"name": "right", "axes": pulled, "rotation": "fixed"}]}
 
 
-def heat_task(bar: Bar, steps: int) -> dict[str, Any]:
+def heat_task(bar: Bar, steps: int, law: str = "platonic") -> dict[str, Any]:
     """One end at 798 K, all else from 298 K."""
     return {
         "time_step": {"value": bar.heat_step}, "steps": steps,
-        "laws": {"conduction": {"conductivity": CONDUCTIVITY, "initial_temperature": 298.0}},
+        "laws": {"conduction": {"law": law, "conductivity": CONDUCTIVITY,
+                                "initial_temperature": 298.0}},
         "temperatures": [{"name": "hot", "value": {"time": [0.0], "value": [798.0]}}]}
+
+
+def loaded_task(bar: Bar, steps: int, law: str) -> dict[str, Any]:
+    """Both ends of the bar exchange heat with the outside, its middle is heated."""
+    return {**heat_task(bar, steps, law), "temperatures": [],
+            "exchanges": [{"name": "left", "temperature": 798.0},
+                          {"name": "top", "temperature": 350.0}],
+            "powers": [{"name": "laser", "constant": True}]}
 
 
 def run_yade(bar: Path, task: dict[str, Any], directory: Path, *words: str) -> Result:

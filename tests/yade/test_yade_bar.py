@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from prepared_bar import (CONDUCTIVITY, RADIUS, RATIO, SHEAR, YOUNG, Bar, beam_task, heat_task,
-                      run_yade)
+                      loaded_task, run_yade)
 
 from compare.references import beam_stiffness
 
@@ -69,22 +69,30 @@ def test_beams_differ_from_small_motion_in_proportion_to_the_strain(
         assert np.polyfit(np.log(strain), np.log(error), 1)[0] == pytest.approx(1, abs=0.2)
 
 
-def euler(bar: Bar, steps: int) -> np.ndarray:
-    """Temperatures after explicit steps."""
+def conduction_matrix(bar: Bar, law: str) -> np.ndarray:
+    """Power into each element, W, of temperatures."""
     specimen = bar.specimen
-    area = specimen.columns["conduction/transmission_area"][specimen.pairs]
-    conductance = CONDUCTIVITY * np.sqrt(area.prod(axis=1)) / specimen.rest_length
-    count = len(specimen.radius)
-    matrix = np.zeros((count, count))
-    for (i, j), c in zip(specimen.pairs, conductance):
+    if law == "voronoi":
+        section = specimen.columns["conduction/area"] / specimen.columns["conduction/distance"]
+    else:
+        area = specimen.columns["conduction/transmission_area"][specimen.pairs]
+        section = np.sqrt(area.prod(axis=1)) / specimen.rest_length
+    matrix = np.zeros((len(specimen.radius),) * 2)
+    for (i, j), c in zip(specimen.pairs, CONDUCTIVITY * section):
         matrix[[i, j], [j, i]] += c
         matrix[[i, j], [i, j]] -= c
-    temperature = np.full(count, 298.0)
-    hot = specimen.sets["temperature.hot"]
+    return matrix
+
+
+def euler(bar: Bar, steps: int) -> np.ndarray:
+    """Temperatures after explicit steps, one end held."""
+    matrix = conduction_matrix(bar, "platonic")
+    temperature = np.full(len(bar.specimen.radius), 298.0)
+    hot = bar.specimen.sets["temperature.hot"]
     temperature[hot] = 798
     for _ in range(steps):
         temperature += (bar.heat_step * (matrix @ temperature)
-                        / specimen.columns["conduction/heat_capacity"])
+                        / bar.specimen.columns["conduction/heat_capacity"])
         temperature[hot] = 798
     return temperature
 
@@ -96,6 +104,37 @@ def test_conduction_is_the_explicit_scheme(bar: Bar, tmp_path: Path, law: str) -
         found, expected = result.frame(step).columns["temperature"], euler(bar, step)
         assert np.abs(found - expected).max() < 500 * 1e-12
     assert 300 < found.min() < 790  # heat went all the way, and is still on its way
+    capacity = bar.specimen.columns["conduction/heat_capacity"]
+    gained = capacity @ (found - 298)
+    assert result.history["temperature.hot.heat"][-1] == pytest.approx(gained, rel=1e-9)
+
+
+@pytest.mark.parametrize("law, how", [("platonic", "native"), ("platonic-calibrated", "native"),
+                                      ("platonic", "scripted"), ("voronoi", "scripted")])
+def test_walls_and_sources_are_the_explicit_scheme(bar: Bar, tmp_path: Path, law: str,
+                                                   how: str) -> None:
+    specimen, steps = bar.specimen, 200
+    result = run_yade(bar.path, loaded_task(bar, steps, law), tmp_path,
+                      *(["--law", how] if law != "voronoi" else []))
+    matrix, capacity = conduction_matrix(bar, law), specimen.columns["conduction/heat_capacity"]
+    temperature, heat = np.full(len(capacity), 298.0), {"left": 0.0, "top": 0.0}
+    for _ in range(steps):
+        power = matrix @ temperature
+        power[specimen.powers["laser"].elements] += specimen.powers["laser"].values
+        for name, outside in (("left", 798.0), ("top", 350.0)):
+            wall = specimen.exchanges[name]
+            gain = wall.values * (outside - temperature[wall.elements])
+            power[wall.elements] += gain
+            heat[name] += bar.heat_step * gain.sum()
+        temperature += bar.heat_step * power / capacity
+    found = result.frame(steps).columns["temperature"]
+    assert np.abs(found - temperature).max() < 500 * 1e-12
+    assert np.ptp(found) > 100
+    for name, expected in heat.items():
+        assert result.history[f"{name}.heat"][-1] == pytest.approx(expected, rel=1e-9)
+    energy = result.history["thermal_energy"]
+    laser = specimen.powers["laser"].values.sum() * steps * bar.heat_step
+    assert energy[-1] - energy[0] == pytest.approx(sum(heat.values()) + laser, rel=1e-8)
 
 
 def test_incremental_form_agrees_to_first_order_in_strain(bar: Bar, tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 
 import h5py
 import pytest
-from prepared_bar import Bar, beam_task, heat_task, run_yade
+from prepared_bar import Bar, beam_task, heat_task, loaded_task, run_yade
 
 from compare.result import CodeFailure
 from contrib.yade.prepared import PreparedError, parse_parameters, read_specimen
@@ -40,6 +40,27 @@ def test_periodic_body(bar: Bar, tmp_path: Path) -> None:
 
 def test_nothing_to_simulate(bar: Bar, tmp_path: Path) -> None:
     refuses(bar.path, {**heat_task(bar, 10), "laws": {}}, tmp_path, "neither beams nor conduction")
+
+
+@pytest.mark.parametrize("change, words", [
+    ({"exchanges": [{"name": "left", "temperature": None}]}, "exchange left: varies with time"),
+    ({"powers": [{"name": "laser", "constant": False}]}, "heat source laser: varies"),
+    ({"temperatures": [{"name": "hot", "value": {"time": [0, 1], "value": [298, 798]}}]},
+     "temperature hot: "),
+    ({"laws": {"conduction": {"conductivity": 134.0, "initial_temperature": 298.0,
+                              "integrator": "rkl2"}}}, "integrator 'rkl2'; only 'explicit'"),
+    ({"laws": {"conduction": {"conductivity": None, "initial_temperature": 298.0}}},
+     "conductivity is None; only one number"),
+])
+def test_heat_that_is_not_understood(bar: Bar, tmp_path: Path, change: dict[str, Any],
+                                     words: str) -> None:
+    refuses(bar.path, {**heat_task(bar, 10), **change}, tmp_path, words)
+
+
+def test_faces_are_not_for_the_native_engine(bar: Bar, tmp_path: Path) -> None:
+    with pytest.raises(CodeFailure):
+        run_yade(bar.path, loaded_task(bar, 10, "voronoi"), tmp_path, "--law", "native")
+    assert "law voronoi needs --law scripted" in (tmp_path / "output.log").read_text()
 
 
 @pytest.mark.parametrize("axis, words", [
