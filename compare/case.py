@@ -32,12 +32,12 @@ class Variant:
     values: dict[str, Any] = field(default_factory=dict)  #: what checks refer to
     pattern: str = ""  #: the name before words were put in
 
-    def name_over(self, key: str, others: list[Variant]) -> str:
-        """A name for this and other variants that differ in one value only."""
-        if f"${key}" not in self.pattern:
+    def name_over(self, keys: tuple[str, ...], group: list[Variant]) -> str:
+        """A name for a group of variants that differ in these values only."""
+        if not any(f"${key}" in self.pattern for key in keys):
             return "all"
-        values = [v.values[key] for v in others]
-        return str(_put_in(self.pattern, {**self.values, key: f"{values[0]}–{values[-1]}"}, ""))
+        spans = {key: f"{group[0].values[key]}–{group[-1].values[key]}" for key in keys}
+        return str(_put_in(self.pattern, {**self.values, **spans}, ""))
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Check:
     tolerance: float
     reason: str  #: why this tolerance
     variants: tuple[str, ...] = ()  #: names, * for any text; empty: all that run the code
-    over: str = ""  #: a value of the variants: one row for all that differ in it alone
+    over: tuple[str, ...] = ()  #: values of the variants: one row for all that differ in them alone
     tolerance_times: str = ""  #: a value of the variant that multiplies the tolerance
     options: dict[str, Any] = field(default_factory=dict)  #: of the measure
 
@@ -86,7 +86,7 @@ class Case:
         """The variants of each row of a check."""
         groups: dict[str, list[Variant]] = {}
         for v in self.variants_of(check):
-            key = {k: x for k, x in v.values.items() if k != check.over} if check.over else v.name
+            key = {k: x for k, x in v.values.items() if k not in check.over} if check.over else v.name
             groups.setdefault(repr(key), []).append(v)
         return list(groups.values())
 
@@ -139,6 +139,8 @@ def _check(table: dict[str, Any], where: str) -> Check:
     table["label"] = table.pop("class")
     if table["label"] not in CLASSES:
         raise CaseError(f"{where}: class {table['label']!r}; allowed: {', '.join(CLASSES)}")
+    if isinstance(table.get("over"), str):
+        table["over"] = [table["over"]]
     check: Check = _build(Check, table, where)
     if not check.tolerance > 0:
         raise CaseError(f"{where}: tolerance {check.tolerance}; must be above 0")
@@ -172,7 +174,7 @@ def _agree(case: Case, check: Check) -> None:
     if not case.variants_of(check):
         raise CaseError(f"{where}: no variant runs {check.code!r}")
     for variant in case.variants_of(check):
-        for key in (check.tolerance_times, check.over):
+        for key in (*check.over, check.tolerance_times):
             if key and key not in variant.values:
                 raise CaseError(f"{where}: variant {variant.name!r} has no value {key!r}")
 

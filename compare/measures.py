@@ -89,9 +89,13 @@ def history_difference(view: View) -> Measured:
     return Measured(float(np.abs(a - b).max()) / scale, f"scale {scale:.3g}", plot)
 
 
+def _value_name(view: View) -> str:
+    return str(view.check.options.get("value", view.check.over[0]))
+
+
 def _abscissa(view: View) -> float:
     """The value that a slope is taken over; "mean_radius" is the specimen's."""
-    name = view.check.options.get("value", view.check.over)
+    name = _value_name(view)
     if name == "mean_radius":
         return float(view.job.specimen.radius.mean())
     return float(view.variant.values[name])
@@ -113,8 +117,8 @@ def slope(view: View) -> Measured:
     order = float(np.polyfit(np.log(x), np.log(y), 1)[0])
     short = target - order
     error = max(0.0, short) if view.check.options.get("at_least") else abs(short)
-    plot = Plot(view.check.quantity, view.check.options.get("value", view.check.over), "error",
-                [Series(view.check.code, x, y, "o-"),
+    plot = Plot(view.check.quantity, _value_name(view), "error",
+                [Series(view.check.code, x, y, "o"),
                  Series(f"order {target:g}", x, y[-1] * (x / x[-1]) ** target, ":")],
                 log_x=True, log_y=True)
     return Measured(error, f"slope {order:.3f}; errors {', '.join(f'{e:.2g}' for e in y)}", plot)

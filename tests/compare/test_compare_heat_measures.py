@@ -65,7 +65,7 @@ def result(time: Floats, history: dict[str, Floats], field: Floats) -> Result:
 
 
 def measured(runs: Bodies, measure: str, reference: str = "", **options: Any) -> Measured:
-    check = Check("", measure, "A", "standalone", reference, 1.0, "a test", over="seed",
+    check = Check("", measure, "A", "standalone", reference, 1.0, "a test", over=("seed",),
                   options=options)
     return MEASURES[measure](View(runs, check, runs.case.variants[0], runs.case.variants))
 
