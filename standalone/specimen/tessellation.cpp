@@ -262,9 +262,9 @@ class CellMaker {
     chunk.first.push_back(chunk.sides.size());
     for (std::size_t wall = 0; wall < wall_area_.size(); ++wall)
       if (wall_area_[wall] > smallest_area)
-        chunk.walls.push_back(
-            {wall,
-             {element_, wall_area_[wall], body_.walls[wall].distance(body_.position[element_])}});
+        chunk.walls.push_back({wall,
+                               {element_, wall_area_[wall],
+                                body_.walls[wall].conduction_length(body_.position[element_])}});
   }
 
   const Body& body_;
@@ -336,10 +336,9 @@ void join_sides(const std::vector<Chunk>& chunks, double unit, Tessellation& res
 void scale_to_body(const Body& body, const Domain& domain, Tessellation& result) {
   const double sum = std::accumulate(result.volume.begin(), result.volume.end(), 0.0);
   if (!(std::abs(sum / body.domain.volume - 1.0) < volume_tolerance))
-    throw InputError(fmt::format(
-        "cells: those of all elements fill {:.9g} of the body's volume: expected elements in "
-        "different places",
-        sum / body.domain.volume));
+    throw RunError(
+        fmt::format("cells: those of all elements fill {:.9g} of the body, not all of it",
+                    sum / body.domain.volume));
   for (double& volume : result.volume) volume *= domain.volume / sum;
   for (const Wall& wall : walls_of(domain)) {
     std::vector<WallFace>& faces = result.walls[wall.name];
@@ -375,8 +374,8 @@ Tessellation tessellate(const Specimen& specimen) {
   for (std::size_t i = 0; i < n; ++i)
     if (!(result.volume[i] > 0))
       throw InputError(fmt::format(
-          "cells: {} with radius {:.4g} m has no cell, larger spheres around hide it: expected "
-          "spheres that overlap by less than their radii",
+          "cells: {} with radius {:.4g} m has no cell: larger spheres around it, or another in its "
+          "place, leave none; expected spheres that overlap by less than their radii",
           place_of(specimen, i), specimen.radius[i]));
   join_sides(chunks, body.unit, result);
   for (const Chunk& chunk : chunks)
@@ -394,7 +393,8 @@ std::map<std::string, std::vector<WallFace>> touching_elements(const Specimen& s
     for (std::size_t i = 0; i < specimen.size(); ++i) {
       const double radius = specimen.radius[i], distance = wall.distance(specimen.position[i]);
       if (!(distance <= touching * radius)) continue;
-      faces.push_back({static_cast<std::int32_t>(i), radius * radius, distance});
+      faces.push_back({static_cast<std::int32_t>(i), radius * radius,
+                       wall.conduction_length(specimen.position[i])});
       sum += radius * radius;
     }
     for (WallFace& face : faces) face.area *= wall.area / sum;

@@ -21,7 +21,7 @@ namespace solidem {
 struct WallFace {
   std::int32_t element;
   double area;      ///< m²
-  double distance;  ///< from the element's centre to the wall along its normal, m
+  double distance;  ///< from the element's centre to the wall, m: Wall::conduction_length
 };
 
 struct Tessellation {
@@ -39,7 +39,8 @@ struct Tessellation {
 /// .002 R_m off and placed so that volume and section of the body are exact. A body imported as
 /// bare spheres is the box around them. The same on any number of threads.
 /// Throws InputError when a centre lies outside the body, when larger spheres around an element
-/// leave no cell for it, or when the domain's volume is not that of its shape.
+/// leave no cell for it, or when the domain's volume is not that of its shape; RunError when the
+/// cells do not fill the body.
 Tessellation tessellate(const Specimen& specimen);
 
 /// For laws without cells: the elements that touch each wall, within 5 % of their radius, share its

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "specimen/walls.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace solidem {
@@ -47,6 +48,13 @@ double Wall::distance(const Vector& from) const {
   if (!(radius > 0)) return -dot(direction, chord);
   const double across = norm(chord - dot(direction, chord) * direction);
   return concave ? across - radius : radius - across;
+}
+
+double Wall::conduction_length(const Vector& from) const {
+  const double normal_distance = distance(from);
+  if (!(radius > 0)) return normal_distance;
+  const double from_axis = concave ? radius + normal_distance : radius - normal_distance;
+  return radius * std::abs(std::log(std::max(from_axis / radius, 0.5)));
 }
 
 std::vector<Wall> walls_of(const Domain& domain) {

@@ -20,6 +20,11 @@ struct Wall {
 
   /// From a point to the wall along its normal, m; negative beyond the wall.
   double distance(const Vector& from) const;
+
+  /// The length, m, that heat on its way from a point to the wall is held up by, so that
+  /// conductivity × area / length is the conductance for the wall's own area: `distance` for a
+  /// plane, R |ln(ρ/R)| for a cylinder (ρ from the axis, at least R/2), exact for radial flow.
+  double conduction_length(const Vector& from) const;
 };
 
 /// All walls, in this order: x_low, x_high, y_low, y_high, z_low, z_high where the body is flat and
