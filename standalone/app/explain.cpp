@@ -3,11 +3,14 @@
 #include <omp.h>
 
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "effects/heat_exchange.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "scene/body.hpp"
+#include "solve/heat_integrator.hpp"
 
 namespace solidem {
 
@@ -38,7 +41,31 @@ const char* name_of(AxisControl::Kind kind) {
 }
 
 const char* name_of(Site site) {
-  return site == Site::element ? "element" : "slot";
+  switch (site) {
+    case Site::element:
+      return "element";
+    case Site::slot:
+      return "slot";
+    case Site::conductor:
+      break;
+  }
+  return "conductor";
+}
+
+/// A constant as a number, a table as {temperature, value}.
+Json to_json(const TemperatureFunction& f) {
+  if (f.is_constant()) return f(0);
+  return {{"temperature", f.temperatures()}, {"value", f.values()}};
+}
+
+Json conduction_of(const Simulation& simulation) {
+  const Setup& setup = simulation.setup();
+  return {{"law", name_of(setup.conduction->law)},
+          {"initial_temperature", setup.conduction->initial_temperature},
+          {"conductivity", to_json(setup.materials[0].conductivity)},
+          {"specific_heat_capacity", to_json(setup.materials[0].specific_heat)},
+          {"area_factor", simulation.area_factor()},
+          {"integrator", name_of(setup.conduction->integrator)}};
 }
 
 Json laws_of(const Simulation& simulation) {
@@ -53,12 +80,24 @@ Json laws_of(const Simulation& simulation) {
                      {"radius_from", pair ? "pair" : "mean"},
                      {"mean_radius", mean_radius(simulation.model().specimen())}};
   }
-  if (setup.conduction)
-    laws["conduction"] = {{"law", "platonic"},
-                          {"initial_temperature", setup.conduction->initial_temperature},
-                          {"conductivity", setup.materials[0].conductivity},
-                          {"specific_heat_capacity", setup.materials[0].specific_heat}};
+  if (setup.conduction) laws["conduction"] = conduction_of(simulation);
   return laws;
+}
+
+/// What heats the body besides imposed temperatures, for codes that take it from a prepared file.
+Json heat_loads_of(const Simulation& simulation, Json report) {
+  report["exchanges"] = Json::array();
+  report["powers"] = Json::array();
+  for (const HeatLoad* load : simulation.heat_loads()) {
+    const std::string name = load->column();
+    if (const auto* exchange = dynamic_cast<const HeatExchange*>(load))
+      report["exchanges"].push_back(
+          {{"name", name},
+           {"temperature", load->is_steady() ? Json(exchange->outside(0)) : Json(nullptr)}});
+    else
+      report["powers"].push_back({{"name", name}, {"constant", load->is_steady()}});
+  }
+  return report;
 }
 
 Json loads_of(const Setup& setup, Json report) {
@@ -73,8 +112,9 @@ Json loads_of(const Setup& setup, Json report) {
   }
   report["temperatures"] = Json::array();
   for (const ImposedTemperatureParameters& imposed : setup.temperatures)
-    report["temperatures"].push_back(
-        {{"name", imposed.name}, {"value", to_json(imposed.temperature)}});
+    if (imposed.wall.empty())
+      report["temperatures"].push_back(
+          {{"name", imposed.name}, {"value", to_json(imposed.temperature)}});
   return report;
 }
 
@@ -125,7 +165,9 @@ Json report_of(const Scene& scene, Simulation& simulation) {
   report["instruction_set"] = kernels().instruction_set;
   report["laws"] = laws_of(simulation);
   report["density"] = simulation.setup().materials[0].density;
-  return loads_of(simulation.setup(), std::move(report));
+  if (simulation.heat_integrator() != nullptr)
+    report["integration"] = simulation.heat_integrator()->explanation();
+  return heat_loads_of(simulation, loads_of(simulation.setup(), std::move(report)));
 }
 
 void print(const Json& report) {
@@ -145,17 +187,22 @@ void print(const Json& report) {
                column["bytes"].get<int>(), column["site"].get<std::string>(), askers);
   }
   fmt::print(
-      "  a slot is one side of a bond, 4 bytes more for its neighbour's number; {:.0f} slots for "
-      "{:.0f} bonds\n",
+      "  a slot is one side of a bond (a conductor: of what conducts heat), 4 bytes more for its "
+      "neighbour's number; {:.0f} slots for {:.0f} bonds\n",
       report["slots"].get<double>(), bonds);
   fmt::print("  in all {:.0f} bytes an element, {:.1f} MB\n",
              report["bytes"].get<double>() / elements, report["bytes"].get<double>() / 1e6);
 
   const Json& dt = report["time_step"];
   const auto step = report["seconds_per_step"].get<double>();
-  fmt::print("\nTime step {:.5g} s = {:.3g} x {:.5g} s ({}); stable up to {:.5g} s\n",
-             dt["value"].get<double>(), dt["ratio"].get<double>(), dt["bound"].get<double>(),
-             dt["criterion"].get<std::string>(), dt["limit"].get<double>());
+  const std::string limit = dt["limit"].is_number() && std::isfinite(dt["limit"].get<double>())
+                                ? fmt::format("stable up to {:.5g} s", dt["limit"].get<double>())
+                                : "stable at any length";
+  fmt::print("\nTime step {:.5g} s = {:.3g} x {:.5g} s ({}); {}\n", dt["value"].get<double>(),
+             dt["ratio"].get<double>(), dt["bound"].get<double>(),
+             dt["criterion"].get<std::string>(), limit);
+  if (report.contains("integration"))
+    fmt::print("Heat in time: {}\n", report["integration"].get<std::string>());
   fmt::print("Cost, measured here on {} thread(s), {}: {:.3g} ms a step, {:.3g} ns a bond-step\n",
              report["threads"].get<int>(), report["instruction_set"].get<std::string>(), step * 1e3,
              step * 1e9 / bonds);

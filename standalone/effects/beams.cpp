@@ -18,10 +18,6 @@ Quaternion<double> pose_orientation(const double* row) {
   return {row[4], {row[5], row[6], row[7]}};
 }
 
-bool is_periodic(const Domain& domain) {
-  return domain.periodic[0] || domain.periodic[1] || domain.periodic[2];
-}
-
 Vector lanes_vector(const double* column, std::size_t at) {
   return {column[at], column[at + lanes], column[at + std::size_t{2} * lanes]};
 }
@@ -68,7 +64,7 @@ Beams::Beams(const BeamParameters& parameters, const std::vector<double>& mass, 
   double* direction = model.data(columns::rest_direction);
   double* length = model.data(columns::rest_length);
   double* bond_radius = from_pair ? model.data(columns::bond_radius) : nullptr;
-  double* shift = is_periodic(specimen.domain) ? model.data(columns::image_shift) : nullptr;
+  double* shift = specimen.domain.is_periodic() ? model.data(columns::image_shift) : nullptr;
   std::fill(length, length + model.size(columns::rest_length), 1.0);
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
     // Both sides take the chord from the lower to the higher element: their rest states are

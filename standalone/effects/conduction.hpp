@@ -2,37 +2,95 @@
 #ifndef SOLIDEM_EFFECTS_CONDUCTION_HPP
 #define SOLIDEM_EFFECTS_CONDUCTION_HPP
 
+#include <functional>
 #include <vector>
 
-#include "effects/effect.hpp"
-#include "effects/parameters.hpp"
+#include "effects/conduction_geometry.hpp"
+#include "effects/heat_load.hpp"
+#include "model/material.hpp"
 
 namespace solidem {
 
-/// Thermal properties of each element, or one value for all.
+/// Thermal properties of each element.
 struct ThermalProperties {
-  std::vector<double> density;        ///< ρ_0, kg/m³
-  std::vector<double> specific_heat;  ///< c_p, J/(kg K)
-  std::vector<double> conductivity;   ///< λ, W/(m K)
+  std::vector<Material> materials;
+  std::vector<std::size_t> material;  ///< of each element; empty: the first of all
+
+  const Material& of(std::size_t element) const {
+    return materials[material.empty() ? 0 : material[element]];
+  }
 };
 
-/// Heat conduction between bonded elements: laws/platonic_conduction.hpp, explicit Euler. Between
-/// two materials the harmonic mean of their conductivities acts.
+/// Whether a property of some material depends on temperature.
+bool conductivity_varies(const std::vector<Material>& materials);
+bool capacity_varies(const std::vector<Material>& materials);
+
+/// Heat conduction between neighbouring elements (laws/heat_exchange.hpp); which are neighbours,
+/// through which area and for how much volume they stand is the geometry of a transmission law.
+/// Between two materials the harmonic mean of their conductivities acts, and their contact
+/// conductance where one is given.
 class Conduction : public Effect {
  public:
-  static std::vector<const Column*> columns();
+  static std::vector<const Column*> columns(const ConductionParameters& parameters,
+                                            const std::vector<Material>& materials);
 
-  Conduction(const ConductionParameters& parameters, const ThermalProperties& properties,
-             Model& model);
+  Conduction(const ConductionParameters& parameters, ThermalProperties properties,
+             const ConductionGeometry& geometry, Model& model);
 
   /// min over elements of C_i / Σ_j conductance_ij: no temperature overshoots its neighbours'.
-  TimeStepCriterion time_step_criterion(const Model& model) const;
+  /// Holds at the worst temperature of the materials' tables. `exchange`: further conductances of
+  /// elements.
+  TimeStepCriterion time_step_criterion(const Model& model,
+                                        const std::vector<ElementValue>& exchange) const;
 
+  /// The longest stable explicit Euler step, 2/μ_max, s, at the worst temperature, by power
+  /// iteration on the kernel; from above, at most some 2 % too long.
+  double stable_time_step(Model& model, const std::vector<ElementValue>& exchange) const;
+
+  /// An explicit Euler step; where no property depends on temperature.
   void advance(Model& model, const Step& step) override;
   void observe(const Model& model, Observation& observation) const override;
 
+  /// Power conducted into each element, W. Both arrays have room for `padded_elements` and are
+  /// aligned as columns are.
+  void powers(Model& model, const double* temperature, double* power) const;
+
+  /// Conductivity of an element at a temperature, and the largest at any, W/(m K).
+  double conductivity(std::size_t i, double temperature) const {
+    return properties_.of(i).conductivity(temperature);
+  }
+  double largest_conductivity(std::size_t i) const {
+    return properties_.of(i).conductivity.largest();
+  }
+
+  /// Enthalpy of an element above that at the initial temperature, J; its inverse, K; its
+  /// derivative, J/K.
+  double enthalpy(const Model& model, std::size_t i, double temperature) const;
+  double temperature(const Model& model, std::size_t i, double enthalpy) const;
+  double capacity(const Model& model, std::size_t i, double temperature) const;
+
+  /// Heat that takes an element from one temperature to another, J.
+  double heat(const Model& model, std::size_t i, double from, double to) const;
+
+  /// Visits each pair once, i < j, with its conductance at these temperatures, W/K.
+  void for_each_conductance(
+      const Model& model, const double* temperature,
+      const std::function<void(std::int32_t i, std::int32_t j, double conductance)>& visit) const;
+
+  /// No property depends on temperature.
+  bool is_linear() const { return !conductivity_varies_ && !capacity_varies_; }
+
  private:
+  /// Powers at the conductivities that stand in the column, where they vary.
+  void conduct(Model& model, const double* temperature, double* power) const;
+  /// Fills that column with the largest that there are.
+  void assume_worst(Model& model) const;
+  /// Largest possible 1 / C_i, K/J.
+  double worst_inverse_capacity(const Model& model, std::size_t i) const;
+
   double initial_temperature_;
+  ThermalProperties properties_;
+  bool conductivity_varies_, capacity_varies_;
 };
 
 }  // namespace solidem

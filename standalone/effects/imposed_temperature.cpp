@@ -4,29 +4,27 @@
 namespace solidem {
 
 ImposedTemperature::ImposedTemperature(const ImposedTemperatureParameters& parameters,
-                                       std::vector<std::int32_t> elements, Model& model)
-    : parameters_(parameters), elements_(std::move(elements)) {
-  impose(model, model.data(columns::temperature), parameters_.temperature(0));
+                                       std::vector<std::int32_t> elements,
+                                       const Conduction& conduction, Model& model)
+    : parameters_(parameters), elements_(std::move(elements)), conduction_(conduction) {
+  impose(model, model.data(columns::temperature), temperature(0));
 }
 
 void ImposedTemperature::impose(const Model& model, double* temperature, double value) {
-  const double* inverse_capacity = model.data(columns::inverse_heat_capacity);
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
-    heat_ += (value - temperature[i]) / inverse_capacity[i];
+    heat_ += conduction_.heat(model, i, temperature[i], value);
     temperature[i] = value;
   }
 }
 
 void ImposedTemperature::advance(Model& model, const Step& step) {
-  impose(model, model.next(columns::temperature),
-         parameters_.temperature(step.time + step.time_step));
+  impose(model, model.next(columns::temperature), temperature(step.time + step.time_step));
 }
 
 void ImposedTemperature::observe(const Model& /*model*/, Observation& observation) const {
   observation.heat.heat_input += heat_;
-  observation.add("temperature." + parameters_.name + ".value",
-                  parameters_.temperature(observation.time));
+  observation.add("temperature." + parameters_.name + ".value", temperature(observation.time));
   observation.add("temperature." + parameters_.name + ".heat", heat_);
 }
 

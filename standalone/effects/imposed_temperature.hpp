@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "effects/effect.hpp"
-#include "effects/parameters.hpp"
+#include "effects/conduction.hpp"
 
 namespace solidem {
 
@@ -14,7 +13,17 @@ namespace solidem {
 class ImposedTemperature : public Effect {
  public:
   ImposedTemperature(const ImposedTemperatureParameters& parameters,
-                     std::vector<std::int32_t> elements, Model& model);
+                     std::vector<std::int32_t> elements, const Conduction& conduction,
+                     Model& model);
+
+  const std::vector<std::int32_t>& elements() const { return elements_; }
+  double temperature(double time) const { return parameters_.temperature(time); }
+
+  /// Sets the elements' temperature and counts the heat that this takes.
+  void impose(const Model& model, double* temperature, double value);
+
+  /// Counts heat, J, that an integrator brought in.
+  void count(double heat) { heat_ += heat; }
 
   void advance(Model& model, const Step& step) override;
   void observe(const Model& model, Observation& observation) const override;
@@ -22,11 +31,9 @@ class ImposedTemperature : public Effect {
   void restore(const std::vector<double>& saved) override { heat_ = saved.at(0); }
 
  private:
-  /// Sets the elements' temperature and counts the heat that this takes.
-  void impose(const Model& model, double* temperature, double value);
-
   ImposedTemperatureParameters parameters_;
   std::vector<std::int32_t> elements_;
+  const Conduction& conduction_;
   double heat_ = 0;  ///< J, since the start
 };
 

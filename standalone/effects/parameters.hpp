@@ -6,9 +6,12 @@
 #define SOLIDEM_EFFECTS_PARAMETERS_HPP
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "model/region.hpp"
+#include "model/shape.hpp"
 #include "model/time_function.hpp"
 
 namespace solidem {
@@ -26,12 +29,31 @@ struct BeamParameters {
   RadiusFrom radius_from = RadiusFrom::mean;
 };
 
-/// Heat conduction between bonded elements.
-struct ConductionParameters {
-  enum class Law { platonic };
-  Law law = Law::platonic;
-  double initial_temperature = 0;  ///< K
+/// Two materials that touch imperfectly.
+struct Contact {
+  std::string first, second;  ///< names of the materials
+  double conductance = 0;     ///< h_c, W/(m² K)
 };
+
+/// Heat conduction between neighbouring elements.
+struct ConductionParameters {
+  enum class Law {
+    platonic,             ///< contacts; areas and volumes of platonic solids
+    platonic_calibrated,  ///< the same, scaled to the conductivity and mass of the body
+    voronoi               ///< faces and volumes of radical Voronoi cells
+  };
+  enum class Integrator { explicit_euler, rkl2, implicit, automatic };
+  Law law = Law::platonic;
+  double initial_temperature = 0;     ///< K
+  std::optional<double> area_factor;  ///< of platonic_calibrated; none: found by a steady bar test
+  Integrator integrator = Integrator::explicit_euler;
+  std::optional<double> tolerance;  ///< error allowed in time integration, K; none: fixed steps
+  std::vector<Contact> contacts;
+};
+
+/// As a scene spells them.
+const char* name_of(ConductionParameters::Law law);
+const char* name_of(ConductionParameters::Integrator integrator);
 
 /// What a grip imposes on its elements along one axis.
 struct AxisControl {
@@ -48,11 +70,37 @@ struct GripParameters {
   bool rotation_fixed = true;
 };
 
-/// Elements whose temperature is imposed.
+/// A temperature imposed on elements, or on a wall of the body.
 struct ImposedTemperatureParameters {
   std::string name;
   Region region;
   TimeFunction temperature;  ///< K
+  std::string wall;          ///< if given, of this wall, and not of the elements of a region
+};
+
+/// Heat that flows into the body through a wall.
+struct HeatFluxParameters {
+  std::string name;
+  std::string wall;
+  TimeFunction flux;  ///< W/m²
+};
+
+/// Heat exchanged with a fluid along a wall.
+struct ConvectionParameters {
+  std::string name;
+  std::string wall;
+  TimeFunction coefficient;  ///< h, W/(m² K)
+  TimeFunction temperature;  ///< of the fluid, K
+};
+
+/// Heat that arises inside the body, in a region at rest or in a shape that may move.
+struct HeatSourceParameters {
+  std::string name;
+  std::optional<Region> region;
+  std::optional<Shape> shape;            ///< around the origin
+  std::array<TimeFunction, 3> position;  ///< of the shape's origin, m
+  bool is_density = true;                ///< `power` is in W/m³, else W in all
+  TimeFunction power;
 };
 
 /// Elements that start with a velocity.

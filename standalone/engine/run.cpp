@@ -16,6 +16,7 @@
 #include "output/progress.hpp"
 #include "output/summary.hpp"
 #include "output/trajectory.hpp"
+#include "solve/heat_integrator.hpp"
 
 namespace solidem {
 
@@ -46,6 +47,20 @@ std::vector<double> values_of(const HistoryRow& row) {
   std::vector<double> values;
   for (const auto& [name, value] : row.values) values.push_back(value);
   return values;
+}
+
+nlohmann::ordered_json figures_of(const HeatIntegrator& integrator) {
+  const HeatIntegratorStatistics& s = integrator.statistics();
+  return {{"what", integrator.explanation()},
+          {"inner_steps", s.inner_steps},
+          {"rejected", s.rejected},
+          {"evaluations", s.evaluations},
+          {"solves", s.solves},
+          {"iterations", s.iterations},
+          {"factorisations", s.factorisations},
+          {"explicit_steps", s.explicit_steps},
+          {"rkl2_steps", s.rkl2_steps},
+          {"implicit_steps", s.implicit_steps}};
 }
 
 /// First multiple of an interval after a step.
@@ -201,6 +216,8 @@ class Recorder {
     summary["wall_seconds"] = seconds_;
     summary["nanoseconds_per_bond_step"] =
         bond_steps > 0 ? nlohmann::ordered_json(seconds_["steps"] * 1e9 / bond_steps) : nullptr;
+    if (const HeatIntegrator* integrator = simulation_.heat_integrator())
+      summary["integrator"] = figures_of(*integrator);
     summary["peak_memory_bytes"] = peak_memory_bytes();
     summary["bytes_per_element"] =
         static_cast<double>(model.bytes()) / static_cast<double>(model.elements());

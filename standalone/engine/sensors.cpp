@@ -1,10 +1,54 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/sensors.hpp"
 
+#include <algorithm>
+#include <Eigen/QR>
+
 namespace solidem {
 
+namespace {
+
+/// Weights of the elements round a point whose weighted sum of values is the value there of a
+/// linear function fitted to them (least squares, nearer elements count more).
+std::vector<ElementValue> fit_weights(const Specimen& specimen, const Vector& point) {
+  constexpr std::size_t enough = 12;
+  std::vector<ElementValue> round;
+  double reach = 4 * mean_radius(specimen);
+  while (true) {
+    round.clear();
+    for (std::size_t i = 0; i < specimen.size(); ++i) {
+      const double distance = norm(specimen.position[i] - point);
+      if (distance < reach) round.push_back({static_cast<std::int32_t>(i), distance});
+    }
+    if (round.size() >= std::min(enough, specimen.size())) break;
+    reach *= 1.25;
+  }
+  const auto rows = static_cast<Eigen::Index>(round.size());
+  Eigen::MatrixXd linear(rows, 4);
+  Eigen::VectorXd weight(rows);
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    const ElementValue& element = round[static_cast<std::size_t>(k)];
+    const Vector d =
+        (1 / reach) * (specimen.position[static_cast<std::size_t>(element.element)] - point);
+    weight[k] = 1 - dot(d, d);  // the root of the usual weight (1 − d²)²
+    linear.row(k) = weight[k] * Eigen::RowVector4d(1, d.x, d.y, d.z);
+  }
+  // The minimal solution also where the elements lie in a plane or on a line.
+  const Eigen::MatrixXd inverse =
+      linear.completeOrthogonalDecomposition().solve(Eigen::MatrixXd(weight.asDiagonal()));
+  for (Eigen::Index k = 0; k < rows; ++k) round[static_cast<std::size_t>(k)].value = inverse(0, k);
+  return round;
+}
+
+}  // namespace
+
 PointSensor::PointSensor(const Sensor& sensor, const Model& model)
-    : sensor_(sensor), element_(nearest_element(model.specimen(), sensor.point)) {}
+    : sensor_(sensor), element_(nearest_element(model.specimen(), sensor.point)) {
+  if (sensor.sampling == Sensor::Sampling::fit)
+    weights_ = fit_weights(model.specimen(), sensor.point);
+  else
+    weights_ = {{element_, 1}};
+}
 
 void PointSensor::observe(const Model& model, Observation& observation) const {
   const auto i = static_cast<std::size_t>(element_);
@@ -15,7 +59,10 @@ void PointSensor::observe(const Model& model, Observation& observation) const {
     observation.add(name + quantity + "_z", v.z);
   };
   if (sensor_.quantity == Sensor::Quantity::temperature) {
-    observation.add(name + "temperature", model.data(columns::temperature)[i]);
+    double temperature = 0;
+    for (const ElementValue& weight : weights_)
+      temperature += weight.value * model.data(columns::temperature)[weight.element];
+    observation.add(name + "temperature", temperature);
     return;
   }
   const double* pose = model.data(columns::pose) + 8 * i;

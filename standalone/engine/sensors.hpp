@@ -2,12 +2,14 @@
 #ifndef SOLIDEM_ENGINE_SENSORS_HPP
 #define SOLIDEM_ENGINE_SENSORS_HPP
 
-#include "effects/effect.hpp"
+#include <vector>
+
+#include "effects/heat_load.hpp"
 #include "engine/setup.hpp"
 
 namespace solidem {
 
-/// Follows a quantity at the element nearest to a point.
+/// Follows a quantity at the element nearest to a point, or a temperature by a linear fit round it.
 class PointSensor : public Observer {
  public:
   PointSensor(const Sensor& sensor, const Model& model);
@@ -17,6 +19,7 @@ class PointSensor : public Observer {
  private:
   Sensor sensor_;
   std::int32_t element_;
+  std::vector<ElementValue> weights_;  ///< of elements' temperatures
 };
 
 }  // namespace solidem

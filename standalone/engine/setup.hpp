@@ -18,12 +18,15 @@ struct Gauge {
   double lower = 0, upper = 0;  ///< along the axis, m
 };
 
-/// A quantity followed at the element nearest to a point.
+/// A quantity followed at a point.
 struct Sensor {
+  /// Of the nearest element, or from a linear fit through the elements round the point.
+  enum class Sampling { nearest, fit };
   enum class Quantity { temperature, position, displacement, velocity };
   std::string name;
   Vector point;  ///< m
   Quantity quantity = Quantity::temperature;
+  Sampling sampling = Sampling::nearest;
 };
 
 /// How long to run and how finely. One of `duration` and `steps` is given; of `time_step` and
@@ -50,6 +53,9 @@ struct Setup {
   std::optional<ConductionParameters> conduction;
   std::vector<GripParameters> grips;
   std::vector<ImposedTemperatureParameters> temperatures;
+  std::vector<HeatFluxParameters> heat_fluxes;
+  std::vector<ConvectionParameters> convections;
+  std::vector<HeatSourceParameters> heat_sources;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Sensor> sensors;
   std::optional<Gauge> gauge;

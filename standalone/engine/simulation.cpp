@@ -10,11 +10,16 @@
 #include "effects/beams.hpp"
 #include "effects/conduction.hpp"
 #include "effects/grips.hpp"
-#include "effects/imposed_temperature.hpp"
+#include "effects/heat_exchange.hpp"
+#include "effects/heat_flux.hpp"
+#include "effects/heat_source.hpp"
 #include "engine/gauge.hpp"
+#include "engine/heated_model.hpp"
 #include "engine/sensors.hpp"
 #include "engine/stability.hpp"
 #include "model/error.hpp"
+#include "solve/heat_integrator.hpp"
+#include "solve/relative_conductivity.hpp"
 #include "specimen/bonds.hpp"
 
 namespace solidem {
@@ -22,6 +27,7 @@ namespace solidem {
 namespace {
 
 constexpr double default_ratio = 0.3;
+constexpr double default_rows = 200;
 
 std::string text(double value) {
   char buffer[32];
@@ -74,12 +80,60 @@ std::vector<std::size_t> assign_materials(const std::vector<Material>& materials
   return material;
 }
 
-std::vector<double> property(const std::vector<Material>& materials,
-                             const std::vector<std::size_t>& of_element, double Material::*member) {
-  if (materials.size() == 1) return {materials[0].*member};
+std::vector<double> densities(const std::vector<Material>& materials,
+                              const std::vector<std::size_t>& of_element) {
+  if (materials.size() == 1) return {materials[0].density};
   std::vector<double> values;
-  for (const std::size_t m : of_element) values.push_back(materials[m].*member);
+  for (const std::size_t m : of_element) values.push_back(materials[m].density);
   return values;
+}
+
+/// The geometry of conduction; for the calibrated law scaled by a factor, or by the one that a
+/// steady bar test gives.
+ConductionGeometry scaled_geometry(const ConductionParameters& parameters, const Specimen& specimen,
+                                   std::optional<double> area_factor) {
+  ConductionGeometry geometry = conduction_geometry(parameters.law, specimen);
+  if (parameters.law == ConductionParameters::Law::platonic_calibrated)
+    calibrate(geometry, area_factor ? *area_factor : 1 / relative_conductivity(geometry, specimen),
+              specimen.domain.volume);
+  return geometry;
+}
+
+/// The faces of a wall. Throws InputError when the body has no such wall or no element is there.
+std::vector<WallFace> faces_of(const ConductionGeometry& geometry, const char* section,
+                               const std::string& name, const std::string& wall,
+                               const Specimen& specimen) {
+  const auto found = geometry.walls.find(wall);
+  const std::string place =
+      std::string("[[") + section + "]] \"" + name + "\": wall = \"" + wall + "\"";
+  if (found == geometry.walls.end()) {
+    std::string known;
+    for (const std::string& other : wall_names(specimen.domain))
+      known += (known.empty() ? "" : ", ") + other;
+    throw InputError(place + ": the body has no such wall; expected one of " +
+                     (known.empty()
+                          ? "those of a shape: this body (" + specimen.domain.shape + ") has none"
+                          : known));
+  }
+  if (found->second.empty())
+    throw InputError(place +
+                     ": no element reaches it; expected a body that fills its bounds, or a region "
+                     "in place of the wall");
+  return found->second;
+}
+
+/// Refuses a source that heats nothing all the time.
+void check_source(const HeatSourceParameters& parameters, const HeatSource& source, double duration,
+                  const Specimen& specimen) {
+  constexpr int looks = 400;
+  for (int k = 0; k <= looks; ++k)
+    if (source.reaches(duration * k / looks)) return;
+  const Vector &low = specimen.domain.lower, &high = specimen.domain.upper;
+  throw InputError("[[heat_sources]] \"" + parameters.name +
+                   "\": outside the body at all times of the run; expected a shape that meets the "
+                   "body, which lies between (" +
+                   text(low.x) + ", " + text(low.y) + ", " + text(low.z) + ") and (" +
+                   text(high.x) + ", " + text(high.y) + ", " + text(high.z) + ") m");
 }
 
 /// Notes who holds which element. Throws InputError when another one holds it already.
@@ -99,33 +153,51 @@ void claim(std::map<std::int32_t, std::string>& holders, const std::vector<std::
 }  // namespace
 
 Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
-    : setup_(setup), model_([&] {
-        // Components and bond counts are found while the list of bonds is still there.
-        const std::vector<std::int32_t> bonds = count_bonds(specimen);
-        unbonded_ = static_cast<std::size_t>(std::count(bonds.begin(), bonds.end(), 0));
-        if (setup.gauge) selections_["component"] = largest_component(specimen);
-        return Model(std::move(specimen));
-      }()) {
+    : setup_(setup), model_(make_model(std::move(specimen))) {
   if (!setup_.beams && !setup_.conduction)
     throw InputError(
         "the scene names no effect, so there is nothing to simulate; add [beams] or "
         "[conduction]");
-  const Domain& domain = model_.specimen().domain;
-  plan_ = make_plan(setup_, domain.periodic[0] || domain.periodic[1] || domain.periodic[2]);
+  plan_ = make_plan(setup_, model_.specimen().domain.is_periodic());
   for (const PlannedColumn& planned : plan_.columns) model_.add(*planned.column);
   const std::vector<std::size_t> material = assign_materials(setup_.materials, model_.specimen());
-  const auto values = [&](double Material::*member) {
-    return property(setup_.materials, material, member);
-  };
-  const std::vector<double> density = values(&Material::density);
-  if (setup_.beams) add_motion(density);
-  if (setup_.conduction)
-    add_heat({density, values(&Material::specific_heat), values(&Material::conductivity)});
+  if (setup_.beams) add_motion(densities(setup_.materials, material));
+  if (setup_.conduction) add_heat(material);
+  geometry_.reset();
   add_observers();
   choose_time_step(force);
+  if (setup_.conduction) add_heat_integrator();
   Observation start;
   observe(start);
   initial_energy_ = start.motion.kinetic_energy + start.motion.elastic_energy;
+}
+
+Model Simulation::make_model(Specimen specimen) {
+  // Components and bond counts are found while the list of bonds is still there.
+  if (setup_.gauge) selections_["component"] = largest_component(specimen);
+  if (setup_.conduction)
+    geometry_ = std::make_unique<ConductionGeometry>(
+        scaled_geometry(*setup_.conduction, specimen, setup_.conduction->area_factor));
+  std::optional<std::vector<Pair>> conductors;
+  if (setup_.conduction) {
+    area_factor_ = geometry_->area_factor;
+    if (setup_.conduction->law == ConductionParameters::Law::voronoi) {
+      // Where nothing but heat is simulated, the faces are all that bonds are needed for.
+      if (setup_.beams)
+        conductors = geometry_->faces;
+      else
+        specimen.bonds = geometry_->faces;
+    }
+  }
+  const std::vector<std::int32_t> bonds = count_bonds(specimen);
+  unbonded_ = static_cast<std::size_t>(std::count(bonds.begin(), bonds.end(), 0));
+  return Model(std::move(specimen), conductors);
+}
+
+ConductionGeometry Simulation::conduction_geometry() const {
+  Specimen specimen = model_.specimen();
+  specimen.bonds = model_.conductors().pairs();
+  return scaled_geometry(*setup_.conduction, specimen, area_factor_);
 }
 
 Simulation::~Simulation() = default;
@@ -165,16 +237,62 @@ void Simulation::add_motion(const std::vector<double>& density) {
   }
 }
 
-void Simulation::add_heat(const ThermalProperties& properties) {
-  auto conduction = std::make_unique<Conduction>(*setup_.conduction, properties, model_);
+void Simulation::add_heat(const std::vector<std::size_t>& material) {
+  auto conduction = std::make_unique<Conduction>(
+      *setup_.conduction, ThermalProperties{setup_.materials, material}, *geometry_, model_);
   conduction_ = conduction.get();
   effects_.push_back(std::move(conduction));
+  const auto add_load = [&](std::unique_ptr<HeatLoad> load) {
+    heat_loads_.push_back(load.get());
+    effects_.push_back(std::move(load));
+  };
+  const auto faces = [&](const char* section, const std::string& name, const std::string& wall) {
+    return faces_of(*geometry_, section, name, wall, model_.specimen());
+  };
+  for (const HeatSourceParameters& source : setup_.heat_sources) {
+    std::vector<std::int32_t> elements;
+    if (source.region) elements = select_some("heat_source." + source.name, *source.region);
+    add_load(std::make_unique<HeatSource>(source, elements, geometry_->volume, model_.specimen()));
+  }
+  for (const HeatFluxParameters& flux : setup_.heat_fluxes)
+    add_load(std::make_unique<HeatFlux>(flux, faces("heat_fluxes", flux.name, flux.wall)));
+  for (const ConvectionParameters& convection : setup_.convections)
+    add_load(std::make_unique<HeatExchange>(
+        convection, faces("convections", convection.name, convection.wall), *conduction_));
+  for (const ImposedTemperatureParameters& imposed : setup_.temperatures)
+    if (!imposed.wall.empty())
+      add_load(std::make_unique<HeatExchange>(
+          imposed, faces("temperatures", imposed.name, imposed.wall), *conduction_));
   std::map<std::int32_t, std::string> heated;
   for (const ImposedTemperatureParameters& imposed : setup_.temperatures) {
+    if (!imposed.wall.empty()) continue;
     std::vector<std::int32_t> elements = select_some("temperature." + imposed.name, imposed.region);
     claim(heated, elements, "[[temperatures]]", imposed.name, model_.specimen());
-    effects_.push_back(std::make_unique<ImposedTemperature>(imposed, std::move(elements), model_));
+    auto effect =
+        std::make_unique<ImposedTemperature>(imposed, std::move(elements), *conduction_, model_);
+    imposed_temperatures_.push_back(effect.get());
+    effects_.push_back(std::move(effect));
   }
+}
+
+void Simulation::add_heat_integrator() {
+  using Integrator = ConductionParameters::Integrator;
+  const ConductionParameters& conduction = *setup_.conduction;
+  for (std::size_t k = 0; k < setup_.heat_sources.size(); ++k)
+    check_source(setup_.heat_sources[k], static_cast<const HeatSource&>(*heat_loads_[k]),
+                 static_cast<double>(steps_to_run()) * time_step_.value, model_.specimen());
+  heated_ = std::make_unique<HeatedModel>(model_, *conduction_, heat_loads_, imposed_temperatures_,
+                                          heat_limit_);
+  if (conduction.integrator == Integrator::explicit_euler && heated_->is_linear()) {
+    heated_.reset();  // conduction takes its steps in one pass by itself
+    return;
+  }
+  const HeatIntegration choice =
+      conduction.integrator == Integrator::explicit_euler ? HeatIntegration::explicit_euler
+      : conduction.integrator == Integrator::rkl2         ? HeatIntegration::rkl2
+      : conduction.integrator == Integrator::implicit     ? HeatIntegration::implicit
+                                                          : HeatIntegration::automatic;
+  integrator_ = make_heat_integrator(choice, {conduction.tolerance.value_or(0)});
 }
 
 void Simulation::add_observers() {
@@ -193,9 +311,15 @@ void Simulation::add_observers() {
 }
 
 void Simulation::choose_time_step(bool force) {
+  const bool explicit_heat =
+      conduction_ != nullptr &&
+      setup_.conduction->integrator == ConductionParameters::Integrator::explicit_euler;
   std::vector<TimeStepCriterion> criteria;
   if (beams_ != nullptr) criteria = beams_->time_step_criteria(model_);
-  if (conduction_ != nullptr) criteria.push_back(conduction_->time_step_criterion(model_));
+  std::vector<ElementValue> exchange;
+  for (const HeatLoad* load : heat_loads_) load->largest_conductances(exchange);
+  if (conduction_ != nullptr && (explicit_heat || beams_ == nullptr))
+    criteria.push_back(conduction_->time_step_criterion(model_, exchange));
   TimeStepChoice& choice = time_step_;
   choice.bound = choice.limit = std::numeric_limits<double>::infinity();
   for (const TimeStepCriterion& criterion : criteria)
@@ -204,11 +328,15 @@ void Simulation::choose_time_step(bool force) {
       choice.criterion = criterion.name;
     }
   if (beams_ != nullptr) choice.limit = stable_time_step(*beams_, model_);
-  if (conduction_ != nullptr)
-    choice.limit = std::min(choice.limit, stable_time_step(*conduction_, model_));
+  if (conduction_ != nullptr) heat_limit_ = conduction_->stable_time_step(model_, exchange);
+  if (explicit_heat) choice.limit = std::min(choice.limit, heat_limit_);
   const RunControl& run = setup_.run;
-  choice.value =
-      run.time_step ? *run.time_step : run.time_step_ratio.value_or(default_ratio) * choice.bound;
+  // Heat that is not bound by stability takes as many steps as the history has rows.
+  const bool free_steps = conduction_ != nullptr && !explicit_heat && beams_ == nullptr;
+  const double by_default = free_steps && run.duration && !run.time_step_ratio
+                                ? *run.duration / default_rows
+                                : run.time_step_ratio.value_or(default_ratio) * choice.bound;
+  choice.value = run.time_step.value_or(by_default);
   if (!std::isfinite(choice.value))
     throw InputError(
         "[run] nothing bounds the time step: the specimen has no bonds. Give time_step, "
@@ -230,11 +358,24 @@ void Simulation::advance(std::int64_t steps) {
   for (std::int64_t n = 0; n < steps; ++n) {
     const double dt = time_step_.value;
     const Step step{time(), dt, step_ == 0 ? 0.5 * dt : dt};
-    for (const auto& effect : effects_) effect->advance(model_, step);
+    const bool fused = integrator_ == nullptr;
+    for (const auto& effect : effects_) {
+      if (effect.get() == conduction_ && !fused) break;  // the effects of heat come last
+      effect->advance(model_, step);
+    }
     if (beams_ != nullptr) model_.swap(columns::pose);
-    if (conduction_ != nullptr) model_.swap(columns::temperature);
+    if (conduction_ != nullptr && fused) model_.swap(columns::temperature);
+    if (!fused) advance_heat(step);
     ++step_;
   }
+}
+
+void Simulation::advance_heat(const Step& step) {
+  double* temperature = model_.data(columns::temperature);
+  const std::vector<double> before(temperature, temperature + model_.elements());
+  std::vector<double> heat(heated_->accounts(), 0.0);
+  integrator_->advance(*heated_, step.time, step.time_step, temperature, heat.data());
+  heated_->count(before, heat);
 }
 
 HistoryRow Simulation::observe() const {
@@ -286,6 +427,7 @@ std::map<std::string, std::vector<double>> Simulation::save() const {
       saved["effect." + plan_.effects[k].name] = sums;
   saved["initial_energy"] = {initial_energy_};
   saved["time_step"] = {time_step_.value};
+  if (integrator_ != nullptr) saved["integrator"] = integrator_->save();
   saved["specimen"] = marks_of(model_);
   return saved;
 }
@@ -316,6 +458,7 @@ void Simulation::restore(std::int64_t step,
   }
   for (std::size_t k = 0; k < effects_.size(); ++k)
     if (!effects_[k]->save().empty()) effects_[k]->restore(find("effect." + plan_.effects[k].name));
+  if (integrator_ != nullptr) integrator_->restore(find("integrator"));
   initial_energy_ = find("initial_energy").at(0);
   step_ = step;
 }

@@ -16,7 +16,12 @@ namespace solidem {
 
 class Beams;
 class Conduction;
-struct ThermalProperties;
+class HeatedModel;
+class HeatIntegrator;
+class HeatLoad;
+class ImposedTemperature;
+struct ConductionGeometry;
+struct HeatIntegratorStatistics;
 
 /// The time step of a simulation and where it comes from.
 struct TimeStepChoice {
@@ -68,6 +73,15 @@ class Simulation {
   /// Elements without a bond: free to move, with nothing to move them, and outside of all measures.
   std::size_t unbonded() const { return unbonded_; }
 
+  /// By what conduction's areas were scaled (law platonic-calibrated); else 1.
+  double area_factor() const { return area_factor_; }
+  /// What each element stands for in conduction, as its law has it.
+  ConductionGeometry conduction_geometry() const;
+  /// What carries heat through time; none where conduction takes explicit steps by itself.
+  const HeatIntegrator* heat_integrator() const { return integrator_.get(); }
+  const std::vector<HeatLoad*>& heat_loads() const { return heat_loads_; }
+  const Conduction* conduction() const { return conduction_; }
+
   /// Everything that is needed to go on exactly: dynamic columns and the effects' sums, by name.
   std::map<std::string, std::vector<double>> save() const;
   /// Goes on from what was saved at a step. Throws InputError when it does not fit.
@@ -75,13 +89,19 @@ class Simulation {
 
  private:
   void add_motion(const std::vector<double>& density);
-  void add_heat(const ThermalProperties& properties);
+  /// Makes the model: bonds and, if heat passes elsewhere, its conductors.
+  Model make_model(Specimen specimen);
+  void add_heat(const std::vector<std::size_t>& material);
+  void add_heat_integrator();
   void add_observers();
+  void advance_heat(const Step& step);
   void choose_time_step(bool force);
   std::vector<std::int32_t> select_some(const std::string& name, const Region& region);
 
   Setup setup_;
   std::size_t unbonded_ = 0;
+  double area_factor_ = 1;
+  std::unique_ptr<ConductionGeometry> geometry_;  ///< while the simulation is built
   std::map<std::string, std::vector<std::int32_t>> selections_;
   Model model_;
   Plan plan_;
@@ -91,6 +111,11 @@ class Simulation {
   std::vector<std::unique_ptr<Observer>> observers_;
   Beams* beams_ = nullptr;
   Conduction* conduction_ = nullptr;
+  std::vector<HeatLoad*> heat_loads_;
+  std::vector<ImposedTemperature*> imposed_temperatures_;
+  std::unique_ptr<HeatedModel> heated_;
+  std::unique_ptr<HeatIntegrator> integrator_;
+  double heat_limit_ = 0;  ///< longest stable explicit step of conduction, s
   double initial_energy_ = 0;
 };
 

@@ -5,17 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "effects/pseudo_random.hpp"
+
 namespace solidem {
 
 namespace {
 
 constexpr int iterations = 60;
-
-/// A start with a share in every mode, the same in every run.
-double pseudo_random(std::size_t k) {
-  const std::uint64_t mixed = (k + 1) * 0x9E3779B97F4A7C15ull;
-  return static_cast<double>((mixed ^ (mixed >> 29)) >> 40) / double(1 << 23) - 1;
-}
 
 }  // namespace
 
@@ -79,33 +75,6 @@ double stable_time_step(Beams& beams, Model& model) {
   std::copy(saved_spin.begin(), saved_spin.end(), spin);
   return squared_frequency > 0 ? 2 / std::sqrt(squared_frequency)
                                : std::numeric_limits<double>::infinity();
-}
-
-double stable_time_step(Conduction& conduction, Model& model) {
-  const std::size_t elements = model.elements();
-  double* temperature = model.data(columns::temperature);
-  const double* next = model.next(columns::temperature);
-  const double* inverse_capacity = model.data(columns::inverse_heat_capacity);
-  const std::vector<double> saved(temperature, temperature + elements);
-  for (std::size_t i = 0; i < elements; ++i) temperature[i] = pseudo_random(i);
-  const double scale = conduction.time_step_criterion(model).value;
-  double decay = 0;
-  for (int n = 0; n < iterations && std::isfinite(scale); ++n) {
-    conduction.advance(model, {0, scale, scale});
-    double product = 0, square = 0, largest = 0;
-    for (std::size_t i = 0; i < elements; ++i) {
-      const double change = temperature[i] - next[i];
-      product += change * temperature[i] / inverse_capacity[i];
-      square += temperature[i] * temperature[i] / inverse_capacity[i];
-      largest = std::max(largest, std::fabs(change));
-      temperature[i] = change;
-    }
-    decay = product / square;
-    if (!(largest > 0)) break;
-    for (std::size_t i = 0; i < elements; ++i) temperature[i] /= largest;
-  }
-  std::copy(saved.begin(), saved.end(), temperature);
-  return decay > 0 ? 2 * scale / decay : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace solidem

@@ -3,7 +3,6 @@
 #define SOLIDEM_ENGINE_STABILITY_HPP
 
 #include "effects/beams.hpp"
-#include "effects/conduction.hpp"
 
 namespace solidem {
 
@@ -11,10 +10,6 @@ namespace solidem {
 /// accelerations that the beam kernel itself gives for small displacements; the state is left as it
 /// was. The iteration comes from above: the result is at most about 2 % too long.
 double stable_time_step(Beams& beams, Model& model);
-
-/// The largest stable explicit Euler step of conduction, 2/μ_max, s, by power iteration on the
-/// rates that the conduction kernel gives.
-double stable_time_step(Conduction& conduction, Model& model);
 
 }  // namespace solidem
 

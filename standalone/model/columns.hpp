@@ -8,8 +8,9 @@
 
 namespace solidem {
 
-/// What a column has one entry for: an element, or a slot, which is one side of a bond.
-enum class Site { element, slot };
+/// What a column has one entry for: an element; a slot, which is one side of a bond; a conductor,
+/// which is one side of a pair that conducts heat (a bond, or a face between two Voronoi cells).
+enum class Site { element, slot, conductor };
 
 /// A column of doubles. Columns of lanes are stored as [block of 8][component][8], rows as
 /// [element][component].
@@ -91,8 +92,34 @@ inline constexpr Column temperature{"temperature", Site::element, Layout::lanes,
 inline constexpr Column inverse_heat_capacity{
     "inverse_heat_capacity",    Site::element, Layout::lanes, 1, 1, false, "K/J",
     "of the represented volume"};
-inline constexpr Column conductance{"conductance", Site::slot, Layout::lanes, 1, 1,
-                                    false,         "W/K",      "of the bond"};
+inline constexpr Column conductance{"conductance", Site::conductor, Layout::lanes, 1, 1,
+                                    false,         "W/K",           "of the pair"};
+inline constexpr Column conductivity{"conductivity",
+                                     Site::element,
+                                     Layout::lanes,
+                                     1,
+                                     1,
+                                     false,
+                                     "W/(m K)",
+                                     "of the element at its temperature, where it depends on it"};
+inline constexpr Column conduction_length{
+    "conduction_length",
+    Site::conductor,
+    Layout::lanes,
+    1,
+    1,
+    false,
+    "m",
+    "transmission area / distance of the pair, where the conductivity depends on temperature"};
+inline constexpr Column contact_resistance{
+    "contact_resistance",
+    Site::conductor,
+    Layout::lanes,
+    1,
+    1,
+    false,
+    "K/W",
+    "of the surface between two materials, beside a conductivity that depends on temperature"};
 
 }  // namespace columns
 

@@ -2,18 +2,20 @@
 #ifndef SOLIDEM_MODEL_MATERIAL_HPP
 #define SOLIDEM_MODEL_MATERIAL_HPP
 
+#include <string>
+
 #include "model/region.hpp"
+#include "model/temperature_function.hpp"
 
 namespace solidem {
 
-/// Macroscopic properties of the continuous body, for the elements of a region.
-/// Every element lies in the region of exactly one material. A property that no effect of the scene
-/// needs stays zero.
+/// What the elements of a region consist of. Properties that no effect needs stay zero.
 struct Material {
   Region region;
-  double density = 0;        ///< ρ_0, kg/m³
-  double specific_heat = 0;  ///< c_p, J/(kg K)
-  double conductivity = 0;   ///< λ, W/(m K)
+  double density = 0;                 ///< ρ_0, kg/m³
+  TemperatureFunction specific_heat;  ///< c_p, J/(kg K)
+  TemperatureFunction conductivity;   ///< λ, W/(m K)
+  std::string name;                   ///< by which contacts know it; may be empty
 };
 
 }  // namespace solidem

@@ -6,14 +6,16 @@
 
 namespace solidem {
 
-Model::Model(Specimen specimen)
+Model::Model(Specimen specimen, const std::optional<std::vector<Pair>>& conductors)
     : specimen_(std::move(specimen)), slots_(specimen_.size(), specimen_.bonds) {
+  if (conductors) conductors_.emplace(specimen_.size(), *conductors);
   std::vector<Pair>().swap(specimen_.bonds);  // assigning {} would keep its memory
 }
 
 std::size_t Model::size(const Column& column) const {
-  const std::size_t entries =
-      column.site == Site::element ? slots_.padded_elements() : slots_.rows() * lanes;
+  const std::size_t entries = column.site == Site::element ? slots_.padded_elements()
+                              : column.site == Site::slot  ? slots_.rows() * lanes
+                                                           : conductors().rows() * lanes;
   return entries * static_cast<std::size_t>(column.components);
 }
 
@@ -56,7 +58,8 @@ void Model::swap(const Column& column) {
 
 std::size_t Model::bytes() const {
   std::size_t sum = slots_.bytes() + specimen_.position.capacity() * sizeof(Vector) +
-                    specimen_.radius.capacity() * sizeof(double);
+                    specimen_.radius.capacity() * sizeof(double) +
+                    (conductors_ ? conductors_->bytes() : 0);
   for (const Storage& storage : storage_)
     for (const Buffer<double>& buffer : storage.buffer) sum += buffer.size() * sizeof(double);
   return sum;

@@ -2,6 +2,7 @@
 #ifndef SOLIDEM_MODEL_MODEL_HPP
 #define SOLIDEM_MODEL_MODEL_HPP
 
+#include <optional>
 #include <vector>
 
 #include "model/buffer.hpp"
@@ -14,11 +15,14 @@ namespace solidem {
 /// The state of a simulation: a specimen, its bonds as slots, and the columns that were asked for.
 class Model {
  public:
-  /// Takes the specimen; its list of bonds becomes slots and is freed.
-  explicit Model(Specimen specimen);
+  /// Takes the specimen; its list of bonds becomes slots and is freed. `conductors`: sorted pairs
+  /// that conduct heat, where these are not the bonds.
+  explicit Model(Specimen specimen, const std::optional<std::vector<Pair>>& conductors = {});
 
   const Specimen& specimen() const { return specimen_; }
   const Slots& slots() const { return slots_; }
+  /// Both sides of the pairs that conduct heat: the slots of the bonds unless others were given.
+  const Slots& conductors() const { return conductors_ ? *conductors_ : slots_; }
   std::size_t elements() const { return specimen_.size(); }
 
   /// Allocates a column, zeroed; asking again changes nothing.
@@ -44,7 +48,7 @@ class Model {
                lanes +
            element % lanes;
   }
-  /// The same for a slot.
+  /// The same for a slot or a conductor.
   static constexpr std::size_t at_slot(const Column& column, std::size_t row, int lane,
                                        int component = 0) {
     return (row * static_cast<std::size_t>(column.components) +
@@ -70,6 +74,7 @@ class Model {
 
   Specimen specimen_;
   Slots slots_;
+  std::optional<Slots> conductors_;
   std::vector<Storage> storage_;
 };
 

@@ -55,4 +55,8 @@ double TimeFunction::integral(double t) const {
   return sum + amplitude / omega * (std::cos(phase) - std::cos(omega * t + phase));
 }
 
+double TimeFunction::largest() const {
+  return *std::max_element(value.begin(), value.end()) + std::fabs(amplitude);
+}
+
 }  // namespace solidem

@@ -23,6 +23,12 @@ struct TimeFunction {
   /// The time derivative; at a corner of the table that of the segment after it.
   double rate(double t) const;
 
+  /// The largest value at any time.
+  double largest() const;
+
+  /// Whether it is the same at all times.
+  bool is_constant() const { return time.size() == 1 && amplitude == 0; }
+
   /// The exact integral from time 0 to t (t ≥ 0): turns a velocity into a displacement.
   double integral(double t) const;
 };

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "laws/platonic_conduction.hpp"
-#include "laws/rigid_sphere.hpp"
+#include "effects/conduction.hpp"
 #include "output/hdf5.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/report.hpp"
@@ -24,6 +23,82 @@ Specimen make_body(const Scene& scene, const ReportProgress& progress) {
   return specimen;
 }
 
+namespace {
+
+/// Masses and moments of inertia of all elements.
+void write_mechanics(Hdf5File& file, const Model& model) {
+  const Hdf5Group mechanics = file.make_group("mechanics");
+  std::vector<double> mass(model.elements()), inertia(model.elements());
+  for (std::size_t i = 0; i < model.elements(); ++i) {
+    mass[i] = 1 / model.data(columns::inverse_mass)[i];
+    inertia[i] = 1 / model.data(columns::inverse_inertia)[i];
+  }
+  mechanics.write("mass", mass);
+  mechanics.write("inertia", inertia);
+}
+
+std::vector<double> of_all(const std::vector<ElementValue>& values,
+                           std::vector<std::int32_t>& elements) {
+  std::vector<double> result;
+  elements.clear();
+  for (const ElementValue& value : values) {
+    elements.push_back(value.element);
+    result.push_back(value.value);
+  }
+  return result;
+}
+
+/// What conducts and heats, for codes that do not compute it themselves: in the order of the pairs
+/// that conduct.
+void write_conduction(Hdf5File& file, const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const ConductionGeometry geometry = simulation.conduction_geometry();
+  const std::vector<Pair> pairs = model.conductors().pairs();
+  const double* temperature = model.data(columns::temperature);
+  std::vector<double> area, distance, conductance(pairs.size());
+  std::vector<std::int32_t> numbers;
+  for (const Pair& pair : pairs) {
+    const HeatPath path = geometry.path(model.specimen(), pair);
+    area.push_back(path.area);
+    distance.push_back(path.distance);
+    numbers.insert(numbers.end(), {pair.i, pair.j});
+  }
+  simulation.conduction()->for_each_conductance(
+      model, temperature, [&](std::int32_t i, std::int32_t j, double value) {
+        const auto at = std::lower_bound(pairs.begin(), pairs.end(), Pair{i, j}) - pairs.begin();
+        conductance[static_cast<std::size_t>(at)] = value;
+      });
+  std::vector<double> capacity;
+  for (std::size_t i = 0; i < model.elements(); ++i)
+    capacity.push_back(1 / model.data(columns::inverse_heat_capacity)[i]);
+
+  const Hdf5Group group = file.make_group("conduction");
+  group.set_attribute("law", name_of(simulation.setup().conduction->law));
+  group.set_attribute("area_factor", geometry.area_factor);
+  group.write("pairs", numbers.data(), {pairs.size(), 2});
+  group.write("area", area);
+  group.write("distance", distance);
+  group.write("conductance", conductance);
+  group.write("heat_capacity", capacity);
+  group.write("volume", geometry.volume);
+  if (!geometry.transmission_area.empty())
+    group.write("transmission_area", geometry.transmission_area);
+  const Hdf5Group exchanges = group.make_group("exchanges"), powers = group.make_group("powers");
+  for (const HeatLoad* load : simulation.heat_loads()) {
+    std::vector<ElementValue> values;
+    load->conductances(0, temperature, values);
+    const bool exchanged = !values.empty();
+    if (!exchanged) load->powers(0, temperature, values);
+    std::vector<std::int32_t> elements;
+    const std::vector<double> figures = of_all(values, elements);
+    const Hdf5Group own = (exchanged ? exchanges : powers).make_group(load->column());
+    own.write("elements", elements);
+    own.write(exchanged ? "conductance" : "power", figures);
+  }
+}
+
+}  // namespace
+
 void write_prepared(const std::string& path, const Simulation& simulation) {
   const Model& model = simulation.model();
   Specimen specimen = model.specimen();
@@ -34,28 +109,8 @@ void write_prepared(const std::string& path, const Simulation& simulation) {
   if (path.size() < 3 || path.substr(path.size() - 3) != ".h5") return;
 
   Hdf5File file = Hdf5File::open_for_writing(path);
-  const std::size_t elements = model.elements();
-  std::vector<double> first(elements), second(elements);
-  if (model.has(columns::inverse_mass)) {
-    const Hdf5Group mechanics = file.make_group("mechanics");
-    for (std::size_t i = 0; i < elements; ++i) {
-      first[i] = 1 / model.data(columns::inverse_mass)[i];
-      second[i] = 1 / model.data(columns::inverse_inertia)[i];
-    }
-    mechanics.write("mass", first);
-    mechanics.write("inertia", second);
-  }
-  if (model.has(columns::inverse_heat_capacity)) {
-    const Hdf5Group conduction = file.make_group("conduction");
-    const std::vector<int> coordination = model.slots().coordination();
-    for (std::size_t i = 0; i < elements; ++i) {
-      const PlatonicElement element{specimen.radius[i], static_cast<double>(coordination[i])};
-      first[i] = platonic_transmission_area(element, element);
-      second[i] = 1 / model.data(columns::inverse_heat_capacity)[i];
-    }
-    conduction.write("transmission_area", first);
-    conduction.write("heat_capacity", second);
-  }
+  if (model.has(columns::inverse_mass)) write_mechanics(file, model);
+  if (model.has(columns::inverse_heat_capacity)) write_conduction(file, simulation);
   file.close();
 }
 

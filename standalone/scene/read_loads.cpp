@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// [[grips]], [[temperatures]] and [[initial_velocities]].
+// [[grips]] and [[initial_velocities]].
 #include <algorithm>
 #include <memory>
 
@@ -52,19 +52,6 @@ Rule grips_section(std::vector<GripParameters>& grips, const NamedRegions& named
   const auto taken = std::make_shared<std::set<std::string>>();
   return tables([&grips, &named, taken](const Section& section) {
     grips.push_back(read_grip(section, named, *taken));
-  });
-}
-
-Rule temperatures_section(std::vector<ImposedTemperatureParameters>& temperatures,
-                          const NamedRegions& named) {
-  const auto taken = std::make_shared<std::set<std::string>>();
-  return tables([&temperatures, &named, taken](const Section& section) {
-    ImposedTemperatureParameters imposed;
-    section.read(
-        {must_have("name", name(imposed.name, *taken)),
-         must_have("region", region(imposed.region, named)),
-         must_have("value", function(imposed.temperature, dimension::temperature, not_negative))});
-    temperatures.push_back(imposed);
   });
 }
 

@@ -12,18 +12,24 @@ Rule sensors_section(std::vector<Sensor>& sensors, NamedEffects effects) {
   const auto taken = std::make_shared<std::set<std::string>>();
   return tables([&sensors, effects, taken](const Section& section) {
     using Quantity = Sensor::Quantity;
+    using Sampling = Sensor::Sampling;
     Sensor sensor;
-    section.read({must_have("name", name(sensor.name, *taken)),
-                  must_have("point", vector(sensor.point, dimension::length)),
-                  must_have("quantity", choice<Quantity>(sensor.quantity,
-                                                         {{"temperature", Quantity::temperature},
-                                                          {"position", Quantity::position},
-                                                          {"displacement", Quantity::displacement},
-                                                          {"velocity", Quantity::velocity}}))});
+    section.read(
+        {must_have("name", name(sensor.name, *taken)),
+         must_have("point", vector(sensor.point, dimension::length)),
+         must_have("quantity",
+                   choice<Quantity>(sensor.quantity, {{"temperature", Quantity::temperature},
+                                                      {"position", Quantity::position},
+                                                      {"displacement", Quantity::displacement},
+                                                      {"velocity", Quantity::velocity}})),
+         may_have("sampling", choice<Sampling>(sensor.sampling, {{"nearest", Sampling::nearest},
+                                                                 {"fit", Sampling::fit}}))});
     const bool is_thermal = sensor.quantity == Quantity::temperature;
     if (is_thermal ? !effects.conduction : !effects.beams)
       section.refuse("quantity", is_thermal ? "nothing conducts heat" : "nothing moves",
                      is_thermal ? "a section [conduction]" : "a section [beams]");
+    if (!is_thermal && sensor.sampling == Sampling::fit)
+      section.refuse("sampling", "of temperatures only", "\"nearest\"");
     sensors.push_back(sensor);
   });
 }

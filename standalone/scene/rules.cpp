@@ -50,6 +50,7 @@ double read_quantity(const Value& value, const Dimension& dimension, const Range
   }
   if (!range.contains(si))
     value.refuse(fmt::format("{:g} {} is out of range", si, dimension.unit), expected);
+  value.note(fmt::format("{}", si));  // the shortest text that reads back as the same number
   return si;
 }
 
@@ -64,6 +65,7 @@ double read_number(const Value& value, const Range& range) {
   if (!number || !value.node().is_number()) value.refuse("not a number", expected);
   if (!std::isfinite(*number)) value.refuse("not finite", expected);
   if (!range.contains(*number)) value.refuse("out of range", expected);
+  value.note(fmt::format("{}", *number));
   return *number;
 }
 
@@ -74,18 +76,30 @@ std::int64_t read_integer(const Value& value, std::int64_t lower, std::int64_t u
   if (!value.node().is_integer()) value.refuse("not an integer", expected);
   const std::int64_t number = value.node().as_integer()->get();
   if (number < lower || number > upper) value.refuse("out of range", expected);
+  value.note(std::to_string(number));
   return number;
 }
 
-std::string read_text(const Value& value, const std::string& expected) {
+namespace {
+
+std::string text_of(const Value& value, const std::string& expected) {
   if (!value.node().is_string()) value.refuse("not text", expected);
   return value.node().as_string()->get();
+}
+
+}  // namespace
+
+std::string read_text(const Value& value, const std::string& expected) {
+  std::string text = text_of(value, expected);
+  value.note("\"" + text + "\"");
+  return text;
 }
 
 Rule flag(bool& place) {
   return {"true or false", [&place](const Value& value) {
             if (!value.node().is_boolean()) value.refuse("neither true nor false", "true or false");
             place = value.node().as_boolean()->get();
+            value.note(place ? "true" : "false");
           }};
 }
 
@@ -110,7 +124,7 @@ Rule name(std::string& place, std::set<std::string>& taken) {
 Rule path(std::string& place, const std::string& scene_file) {
   const std::string expected = "the path of a file, relative to the folder of the scene";
   return {expected, [&place, scene_file, expected](const Value& value) {
-            const std::string given = read_text(value, expected);
+            const std::string given = text_of(value, expected);
             if (given.empty() || given.find('\0') != std::string::npos)
               value.refuse("not a path", expected);
             const auto full = std::filesystem::path(scene_file).parent_path() / given;
@@ -119,6 +133,7 @@ Rule path(std::string& place, const std::string& scene_file) {
               value.refuse("no such file (" + full.string() + ")", expected);
             if (std::filesystem::is_directory(full, error)) value.refuse("a folder", expected);
             place = full.string();
+            value.note("\"" + full.filename().string() + "\"");  // folders may move
           }};
 }
 
@@ -147,19 +162,25 @@ Rule quantities(std::vector<double>& place, const Dimension& dimension, const Ra
           }};
 }
 
+/// Refuses abscissas that are none or do not increase, and another number of values.
+void check_table(const Section& section, const std::string& key, const std::vector<double>& at,
+                 const std::string& value_key, std::size_t values) {
+  if (at.empty()) section.refuse(key, "empty", "at least one " + key);
+  if (values != at.size())
+    section.refuse(value_key, fmt::format("{} entries", values),
+                   fmt::format("as many as of {}, {}", key, at.size()));
+  for (std::size_t k = 1; k < at.size(); ++k)
+    if (at[k] <= at[k - 1])
+      section.refuse(key, fmt::format("entry {} is not above entry {}", k, k - 1),
+                     "increasing entries");
+}
+
 TimeFunction read_table(const Section& section, const Dimension& dimension, const Range& range) {
   TimeFunction function;
   section.read({must_have("time", quantities(function.time, dimension::time, anything)),
                 must_have("value", quantities(function.value, dimension, range))},
                "a function of time by a table");
-  if (function.time.empty()) section.refuse("time", "empty", "at least one time");
-  if (function.value.size() != function.time.size())
-    section.refuse("value", fmt::format("{} values", function.value.size()),
-                   fmt::format("as many as times, {}", function.time.size()));
-  for (std::size_t k = 1; k < function.time.size(); ++k)
-    if (function.time[k] <= function.time[k - 1])
-      section.refuse("time", fmt::format("entry {} is not later than entry {}", k, k - 1),
-                     "increasing times");
+  check_table(section, "time", function.time, "value", function.value.size());
   return function;
 }
 
@@ -193,6 +214,40 @@ TimeFunction read_function(const Value& value, const Dimension& dimension, const
     if (section.has(key)) return read_sine(section, dimension, range);
   value.refuse("no function of time", std::string(dimension.name) +
                                           ", {time, value} or {mean, amplitude, frequency, phase}");
+}
+
+TemperatureFunction read_property(const Value& value, const Dimension& dimension,
+                                  const Range& range) {
+  if (!value.node().is_table()) return {read_quantity(value, dimension, range)};
+  const Section section(value);
+  std::vector<double> temperature, values;
+  section.read(
+      {must_have("temperature", quantities(temperature, dimension::temperature, not_negative)),
+       must_have("value", quantities(values, dimension, range))},
+      "a table over temperature");
+  check_table(section, "temperature", temperature, "value", values.size());
+  return {temperature, values};
+}
+
+std::array<TimeFunction, 3> read_path(const Section& section) {
+  std::vector<double> time;
+  std::array<TimeFunction, 3> path;
+  const std::string expected = "an array, each entry three lengths";
+  section.read(
+      {must_have("time", quantities(time, dimension::time, anything)),
+       must_have("position", {expected,
+                              [&](const Value& value) {
+                                for (const Value& entry : value.entries(-1, expected)) {
+                                  Vector point{};
+                                  vector(point, dimension::length).read(entry);
+                                  for (std::size_t k = 0; k < 3; ++k)
+                                    path[k].value.push_back(component(point, static_cast<int>(k)));
+                                }
+                              }})},
+      "a path");
+  check_table(section, "time", time, "position", path[0].value.size());
+  for (TimeFunction& along : path) along.time = time;
+  return path;
 }
 
 }  // namespace solidem

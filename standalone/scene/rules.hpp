@@ -5,6 +5,7 @@
 #ifndef SOLIDEM_SCENE_RULES_HPP
 #define SOLIDEM_SCENE_RULES_HPP
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "model/specimen.hpp"
+#include "model/temperature_function.hpp"
 #include "model/time_function.hpp"
 #include "scene/nearest_name.hpp"
 #include "scene/section.hpp"
@@ -47,9 +49,16 @@ std::int64_t read_integer(const Value& value, std::int64_t lower, std::int64_t u
 
 std::string read_text(const Value& value, const std::string& expected);
 
+/// A constant quantity, or {temperature, value}.
+TemperatureFunction read_property(const Value& value, const Dimension& dimension,
+                                  const Range& range);
+
 /// A constant quantity, {time, value} or {mean, amplitude, frequency, phase}; every value the
 /// function takes lies in the range.
 TimeFunction read_function(const Value& value, const Dimension& dimension, const Range& range);
+
+/// {time, position}: a place that moves.
+std::array<TimeFunction, 3> read_path(const Section& section);
 
 template <class Place>
 Rule quantity(Place& place, const Dimension& dimension, const Range& range = anything) {
@@ -88,6 +97,14 @@ inline Rule function(TimeFunction& place, const Dimension& dimension,
   return {describe(dimension, range) + ", or a function of time",
           [&place, dimension, range](const Value& value) {
             place = read_function(value, dimension, range);
+          }};
+}
+
+inline Rule property(TemperatureFunction& place, const Dimension& dimension,
+                     const Range& range = anything) {
+  return {describe(dimension, range) + ", or a table {temperature, value}",
+          [&place, dimension, range](const Value& value) {
+            place = read_property(value, dimension, range);
           }};
 }
 

@@ -45,13 +45,14 @@ void check_effects(const Section& root, NamedEffects effects) {
       if (root.has(key)) root.refuse(key, problem, expected);
   };
   if (!effects.beams && !effects.conduction)
-    refuse_all({"material", "grips", "temperatures", "initial_velocities", "sensors", "gauge",
-                "run", "output"},
+    refuse_all({"material", "contacts", "grips", "temperatures", "heat_fluxes", "convections",
+                "heat_sources", "initial_velocities", "sensors", "gauge", "run", "output"},
                "the scene has no effect", "a section [beams] or [conduction]");
   if (!effects.beams)
     refuse_all({"grips", "initial_velocities", "gauge"}, "nothing moves", "a section [beams]");
   if (!effects.conduction)
-    refuse_all({"temperatures"}, "nothing conducts heat", "a section [conduction]");
+    refuse_all({"contacts", "temperatures", "heat_fluxes", "convections", "heat_sources"},
+               "nothing conducts heat", "a section [conduction]");
 }
 
 }  // namespace
@@ -63,7 +64,8 @@ Scene read_scene(const std::string& path) {
     throw InputError(path +
                      ": empty; expected a scene: [specimen], [material], [beams] or "
                      "[conduction], [run]");
-  const Section root(Value(file, path, ""));
+  const auto record = std::make_shared<Record>();
+  const Section root(Value(file, path, "", record));
 
   Scene scene;
   scene.path = path;
@@ -86,9 +88,13 @@ Scene read_scene(const std::string& path) {
       may_have("sets", sets_section(named)),
       with_effects("material", material_section(setup.materials, named, effects)),
       may_have("conduction", conduction_section(setup.conduction)),
+      may_have("contacts", contacts_section(setup.conduction, setup.materials)),
       may_have("beams", beams_section(setup.beams)),
       may_have("grips", grips_section(setup.grips, named)),
       may_have("temperatures", temperatures_section(setup.temperatures, named)),
+      may_have("heat_fluxes", heat_fluxes_section(setup.heat_fluxes)),
+      may_have("convections", convections_section(setup.convections)),
+      may_have("heat_sources", heat_sources_section(setup.heat_sources, named)),
       may_have("initial_velocities", initial_velocities_section(setup.initial_velocities, named)),
       may_have("sensors", sensors_section(setup.sensors, effects)),
       may_have("gauge", gauge_section(setup.gauge)),
@@ -96,6 +102,7 @@ Scene read_scene(const std::string& path) {
       may_have("output", output_section(setup.output)),
   });
   check_effects(root, effects);
+  scene.record = std::move(*record);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/setup.hpp"
+#include "scene/record.hpp"
 #include "specimen/recipe.hpp"
 
 namespace solidem {
@@ -16,6 +17,7 @@ struct Scene {
   SpecimenRecipe specimen;
   std::optional<double> bond_tolerance;  ///< t of [bonds]; none: the specimen file's bonds, or 0
   Setup setup;
+  Record record;  ///< of all that was read
 };
 
 /// Reads a scene file. Strict: an unknown key, a wrong unit, a missing or an impossible value

@@ -51,7 +51,7 @@ const toml::node* Value::find(const std::string& key) const {
 }
 
 Value Value::child(const std::string& key) const {
-  return {*find(key), file_, child_label(key)};
+  return {*find(key), file_, child_label(key), record_};
 }
 
 std::string Value::child_label(const std::string& key) const {
@@ -71,7 +71,7 @@ std::vector<Value> Value::entries(int size, const std::string& expected) const {
   std::vector<Value> values;
   for (std::size_t k = 0; k < array->size(); ++k) {
     const std::string entry = names_section(label_) ? "" : "[" + std::to_string(k) + "]";
-    values.emplace_back((*array)[k], file_, label_ + entry);
+    values.emplace_back((*array)[k], file_, label_ + entry, record_);
   }
   return values;
 }

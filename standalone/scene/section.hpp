@@ -16,8 +16,12 @@
 
 #include <toml++/toml.h>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "scene/record.hpp"
 
 namespace solidem {
 
@@ -25,9 +29,10 @@ namespace solidem {
 class Value {
  public:
   /// `label` is the value's name for messages: "[beams]", "[beams] young_modulus", "[run] x[2]";
-  /// empty for the file as a whole.
-  Value(const toml::node& node, const std::string& file, const std::string& label)
-      : node_(node), file_(file), label_(label) {}
+  /// empty for the file as a whole. `record` collects what is read.
+  Value(const toml::node& node, const std::string& file, const std::string& label,
+        std::shared_ptr<Record> record)
+      : node_(node), file_(file), label_(label), record_(std::move(record)) {}
 
   const toml::node& node() const { return node_; }
 
@@ -37,6 +42,9 @@ class Value {
 
   /// The entries of an array; refused when it is none or when their number is not `size` (−1: any).
   std::vector<Value> entries(int size, const std::string& expected) const;
+
+  /// Enters what was understood of the value into the record.
+  void note(const std::string& meaning) const { record_->emplace_back(label_, meaning); }
 
   /// Throws InputError. `problem` says what is wrong with the value, `expected` what would be
   /// right.
@@ -51,6 +59,7 @@ class Value {
 
   const toml::node& node_;
   std::string file_, label_;
+  std::shared_ptr<Record> record_;
 };
 
 /// How one value is read into its place, and what it must be, in words.

@@ -29,14 +29,21 @@ Rule bonds_section(std::optional<double>& tolerance);
 Rule material_section(std::vector<Material>& materials, const NamedRegions& named,
                       NamedEffects effects);
 Rule conduction_section(std::optional<ConductionParameters>& conduction);
+Rule contacts_section(std::optional<ConductionParameters>& conduction,
+                      const std::vector<Material>& materials);
 Rule beams_section(std::optional<BeamParameters>& beams);
 
 // read_loads.cpp
 Rule grips_section(std::vector<GripParameters>& grips, const NamedRegions& named);
-Rule temperatures_section(std::vector<ImposedTemperatureParameters>& temperatures,
-                          const NamedRegions& named);
 Rule initial_velocities_section(std::vector<InitialVelocity>& velocities,
                                 const NamedRegions& named);
+
+// read_heat_loads.cpp
+Rule temperatures_section(std::vector<ImposedTemperatureParameters>& temperatures,
+                          const NamedRegions& named);
+Rule heat_fluxes_section(std::vector<HeatFluxParameters>& fluxes);
+Rule convections_section(std::vector<ConvectionParameters>& convections);
+Rule heat_sources_section(std::vector<HeatSourceParameters>& sources, const NamedRegions& named);
 
 // read_run.cpp
 Rule sensors_section(std::vector<Sensor>& sensors, NamedEffects effects);

@@ -33,6 +33,11 @@ inline constexpr Dimension temperature{"a temperature", "K", "298 K", true};
 inline constexpr Dimension temperature_difference{"a temperature difference", "K", "10 K"};
 inline constexpr Dimension frequency{"a frequency", "Hz", "50 Hz"};
 inline constexpr Dimension angle{"an angle", "rad", "90 degree"};
+inline constexpr Dimension heat_flux{"a heat flux", "W/m^2", "1 MW/m^2"};
+inline constexpr Dimension heat_transfer{"a heat transfer coefficient", "W/(m^2 K)",
+                                         "1000 W/(m^2 K)"};
+inline constexpr Dimension power{"a power", "W", "1 kW"};
+inline constexpr Dimension power_density{"a power density", "W/m^3", "1e11 W/m^3"};
 inline constexpr Dimension number{"a number", "1", "5 %"};
 
 }  // namespace dimension

@@ -12,6 +12,7 @@
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
 extern const Kernels kernels;
-const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET), move_beams_by_kind, conduct};
+const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET), move_beams_by_kind, conduct,
+                      conducted_power_by_kind};
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET

@@ -42,6 +42,18 @@ struct HeatFlow {
   double time_step;
 };
 
+/// Columns of conducting elements whose power is asked for, and not a step.
+struct HeatPower {
+  const std::uint32_t* first_row;
+  const std::int32_t* neighbour;
+  const double* temperature;
+  double* power;
+  const double* conductance;         ///< null: from the conductivities of the elements
+  const double* conductivity;        ///< of each element
+  const double* conduction_length;   ///< of each pair
+  const double* contact_resistance;  ///< of each pair; null: none
+};
+
 /// One instruction set's kernels. Each treats the blocks [first, last).
 struct Kernels {
   const char* instruction_set;
@@ -49,6 +61,8 @@ struct Kernels {
   void (*move_beams)(const BeamMotion&, std::size_t first, std::size_t last);
   /// Explicit Euler step of the temperatures.
   void (*conduct)(const HeatFlow&, std::size_t first, std::size_t last);
+  /// Power conducted into each element.
+  void (*conducted_power)(const HeatPower&, std::size_t first, std::size_t last);
 };
 
 /// The kernels that this machine can run, the best first.

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "effects/conduction_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "laws/platonic_conduction.hpp"
+#include "specimen/bonds.hpp"
+
+namespace solidem {
+
+namespace {
+
+ConductionGeometry platonic_geometry(const Specimen& specimen) {
+  ConductionGeometry geometry;
+  const std::vector<std::int32_t> neighbours = count_bonds(specimen);
+  for (std::size_t i = 0; i < specimen.size(); ++i) {
+    const PlatonicElement element{specimen.radius[i], static_cast<double>(neighbours[i])};
+    geometry.volume.push_back(platonic_heat_capacity(element, 1, 1));
+    geometry.transmission_area.push_back(platonic_transmission_area(element, element));
+  }
+  geometry.walls = touching_elements(specimen);
+  return geometry;
+}
+
+ConductionGeometry voronoi_geometry(const Specimen& specimen) {
+  Tessellation cells = tessellate(specimen);
+  ConductionGeometry geometry;
+  geometry.volume = std::move(cells.volume);
+  geometry.faces = std::move(cells.faces);
+  for (std::size_t k = 0; k < geometry.faces.size(); ++k)
+    geometry.face_paths.push_back({cells.area[k], cells.distance[k]});
+  geometry.walls = std::move(cells.walls);
+  return geometry;
+}
+
+}  // namespace
+
+HeatPath ConductionGeometry::path(const Specimen& specimen, Pair pair) const {
+  if (!transmission_area.empty())
+    return {std::sqrt(transmission_area[static_cast<std::size_t>(pair.i)] *
+                      transmission_area[static_cast<std::size_t>(pair.j)]),
+            norm(rest_chord(specimen, pair))};
+  const auto found = std::lower_bound(faces.begin(), faces.end(), pair);
+  return face_paths[static_cast<std::size_t>(found - faces.begin())];
+}
+
+ConductionGeometry conduction_geometry(ConductionParameters::Law law, const Specimen& specimen) {
+  return law == ConductionParameters::Law::voronoi ? voronoi_geometry(specimen)
+                                                   : platonic_geometry(specimen);
+}
+
+void calibrate(ConductionGeometry& geometry, double area_factor, double body_volume) {
+  geometry.area_factor *= area_factor;
+  for (double& area : geometry.transmission_area) area *= area_factor;
+  const double volume = std::accumulate(geometry.volume.begin(), geometry.volume.end(), 0.0);
+  for (double& v : geometry.volume) v *= body_volume / volume;
+}
+
+}  // namespace solidem
