@@ -174,7 +174,11 @@ class Liggghts:
         directory.mkdir(parents=True, exist_ok=True)
         specimen, parameters = job.specimen, job.parameters
         explained = json.loads(job.explained.read_text())
-        write_data(directory / "specimen.data", specimen, sphere_density(specimen, explained))
+        bonds = specimen.conductors if parameters.conduction else specimen.pairs
+        if parameters.beams and not np.array_equal(bonds, specimen.pairs):
+            raise CodeFailure("liggghts: beams and conduction need the same pairs in this adaptor")
+        write_data(directory / "specimen.data", specimen, bonds,
+                   sphere_density(specimen, explained))
         script = HEAD.format(
             boundary=" ".join("p" if p else "f" for p in specimen.periodic),
             bond_style="solidem/beam" if parameters.beams else "none",
@@ -194,7 +198,7 @@ class Liggghts:
         script += f"run {parameters.steps}\n"
         wall = self._execute(script, directory, job.timeout)
         frames = read_dump(directory / "frames.dump", columns, parameters.time_step)
-        return Result(self.name, len(specimen.radius), len(specimen.pairs), parameters.steps,
+        return Result(self.name, len(specimen.radius), len(bonds), parameters.steps,
                       parameters.time_step, wall, self._history(job, directory), frames)
 
     def _history(self, job: Job, directory: Path) -> dict[str, Floats]:
@@ -221,7 +225,7 @@ class Liggghts:
         directory.mkdir(parents=True, exist_ok=True)
         specimen = Specimen(directory, spheres.position, np.full(2, spheres.radius),
                             np.array([[0, 1]]))
-        write_data(directory / "specimen.data", specimen, np.ones(2))
+        write_data(directory / "specimen.data", specimen, specimen.pairs, np.ones(2))
         beams = Beams(spheres.young_modulus, spheres.shear_modulus, 1.0, "mean",
                       spheres.beam_radius)
         script = HEAD.format(boundary="f f f", bond_style="solidem/beam", skin=spheres.radius,

@@ -23,8 +23,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from contrib.yade.prepared import (Floats, Parameters, PreparedError, Specimen,  # noqa: E402
-                                   parse_parameters, read_specimen)
+from contrib.yade.prepared import (Floats, Integers, Parameters, PreparedError,  # noqa: E402
+                                   Specimen, parse_parameters, read_specimen)
 
 
 def full(value: float) -> str:
@@ -32,15 +32,15 @@ def full(value: float) -> str:
     return f"{value:.17g}"
 
 
-def write_data(path: Path, specimen: Specimen, density: Floats) -> None:
-    """A LIGGGHTS data file; atom numbers are element indices plus one."""
+def write_data(path: Path, specimen: Specimen, pairs: Integers, density: Floats) -> None:
+    """A LIGGGHTS data file with these pairs as bonds; atom numbers are element indices plus one."""
     margin = 4 * float(specimen.radius.max())
     lower, upper = specimen.position.min(axis=0), specimen.position.max(axis=0)
     margin += 0.2 * float((upper - lower).max())
     low = np.where(specimen.periodic, specimen.lower, lower - margin)
     high = np.where(specimen.periodic, specimen.upper, upper + margin)
-    count, bonds = len(specimen.radius), len(specimen.pairs)
-    most = int(np.bincount(specimen.pairs.ravel(), minlength=1).max()) if bonds else 1
+    count, bonds = len(specimen.radius), len(pairs)
+    most = int(np.bincount(pairs.ravel(), minlength=1).max()) if bonds else 1
     with open(path, "w") as file:
         file.write(f"specimen\n\n{count} atoms\n{bonds} bonds\n1 atom types\n1 bond types\n"
                    f"{most} extra bond per atom\n\n")
@@ -52,7 +52,7 @@ def write_data(path: Path, specimen: Specimen, density: Floats) -> None:
             file.write(f"{n + 1} 1 {words} 1\n")
         if bonds:
             file.write("\nBonds\n\n")
-            for n, (i, j) in enumerate(specimen.pairs + 1):
+            for n, (i, j) in enumerate(pairs + 1):
                 file.write(f"{n + 1} 1 {i} {j}\n")
 
 
@@ -75,7 +75,7 @@ def write_cells(path: Path, specimen: Specimen) -> None:
         for n, v in enumerate(volume):
             file.write(f"{n + 1} {full(v)}\n")
         file.write(f"\nfaces {len(area)}\n")
-        for (i, j), a, d in zip(specimen.pairs + 1, area, distance):
+        for (i, j), a, d in zip(specimen.conductors + 1, area, distance):
             file.write(f"{i} {j} {full(a)} {full(d)}\n")
 
 
@@ -117,6 +117,7 @@ def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, 
     law = parameters.conduction
     if law is None:
         raise PreparedError(f"{specimen.path}: the scene has no [conduction]")
+    law.require_one_material(specimen)
     words = f"law {law.law}"
     if law.law == "platonic-calibrated":
         words += f" area_factor {full(law.area_factor)} volume {full(specimen.volume)}"
@@ -167,7 +168,8 @@ def main() -> None:
         specimen = read_specimen(arguments.specimen)
         explained = json.loads(arguments.parameters.read_text())
         lines = heat_lines(specimen, parse_parameters(explained), explained, arguments.directory)
-        write_data(arguments.directory / "body.data", specimen, sphere_density(specimen, explained))
+        write_data(arguments.directory / "body.data", specimen, specimen.conductors,
+                   sphere_density(specimen, explained))
         (arguments.directory / "heat.in").write_text(lines)
     except (PreparedError, OSError, ValueError) as error:
         sys.exit(f"export.py: {error}")

@@ -37,6 +37,7 @@ class HeatScene:
                                 "law voronoi needs --law scripted")
         if any(specimen.periodic):
             raise PreparedError(f"{specimen.path}: periodic bodies are not supported in YADE")
+        parameters.conduction.require_one_material(specimen, " (--law scripted takes any)")
         O.reset()
         make_visible(self)
         self.specimen, self.parameters = specimen, parameters
@@ -68,11 +69,11 @@ class HeatScene:
 
     def _add_pairs(self) -> None:
         shortest = float(self._radius.min())
-        reach = float(self.specimen.rest_length.max() / shortest)
+        reach = float(self.specimen.conductor_length.max() / shortest)
         O.engines = [InteractionLoop(
             [Ig2_Sphere_Sphere_ScGeom(interactionDetectionFactor=reach)],
             [Ip2_FrictMat_FrictMat_FrictPhys()], [Law2_ScGeom_FrictPhys_CundallStrack()])]
-        for i, j in self.specimen.pairs.tolist():
+        for i, j in self.specimen.conductors.tolist():
             utils.createInteraction(i, j)
         for name, bodies in self._walls.items():
             for i, j in zip(self.specimen.exchanges[name].elements.tolist(), bodies):

@@ -40,22 +40,38 @@ class Specimen:
     radius: Floats  #: (N,) m
     pairs: Integers  #: (B, 2), i < j
     sets: dict[str, Integers] = field(default_factory=dict)
-    columns: dict[str, Floats] = field(default_factory=dict)  #: "mechanics/mass" -> (N,) or (B,)
+    columns: dict[str, Floats] = field(default_factory=dict)  #: "mechanics/mass" -> (N,)
     periodic: tuple[bool, bool, bool] = (False, False, False)
     lower: Floats = field(default_factory=lambda: np.zeros(3))  #: corner of the body's box, m
     upper: Floats = field(default_factory=lambda: np.zeros(3))  #: the opposite corner, m
     volume: float = 0.0  #: of the body, m³
     exchanges: dict[str, Values] = field(default_factory=dict)  #: conductances to the outside, W/K
     powers: dict[str, Values] = field(default_factory=dict)  #: constant heat sources, W
+    conducting: Integers | None = None  #: (C, 2), i < j; None: the bonded pairs
+
+    @property
+    def conductors(self) -> Integers:
+        """(C, 2) pairs that heat passes between, i < j."""
+        return self.pairs if self.conducting is None else self.conducting
 
     @property
     def rest_length(self) -> Floats:
         """(B,) distance of the bonded centres, m."""
-        chord = self.position[self.pairs[:, 1]] - self.position[self.pairs[:, 0]]
+        return self._distance(self.pairs)
+
+    @property
+    def conductor_length(self) -> Floats:
+        """(C,) distance that heat goes between the centres of a pair, m."""
+        stored = self.columns.get("conduction/distance")
+        return self._distance(self.conductors) if stored is None else stored
+
+    def _distance(self, pairs: Integers) -> Floats:
+        chord = self.position[pairs[:, 1]] - self.position[pairs[:, 0]]
         return np.sqrt(np.einsum("ij,ij->i", chord, chord))
 
     def column(self, name: str) -> Floats:
-        """A value for each element or bond; PreparedError when `solidem prepare` did not store it."""
+        """A value for each element, or for each pair of conductors; PreparedError when `solidem
+        prepare` did not store it."""
         if name not in self.columns:
             raise PreparedError(
                 f"{self.path}: /{name} is missing; prepare the specimen from a scene that uses it"
@@ -89,6 +105,26 @@ class Conduction:
     specific_heat_capacity: float = float("nan")  #: c_p, J/(kg K)
     law: str = "platonic"  #: or "platonic-calibrated", "voronoi"
     area_factor: float = 1.0  #: of platonic-calibrated
+
+    def conductance(self, specimen: Specimen) -> Floats:
+        """(C,) conductance of each pair, W/K, in one material."""
+        if self.law == "voronoi":
+            area = specimen.column("conduction/area")
+        else:
+            sides = specimen.column("conduction/transmission_area")[specimen.conductors]
+            area = np.sqrt(sides[:, 0] * sides[:, 1])
+        return self.conductivity * area / specimen.conductor_length
+
+    def require_one_material(self, specimen: Specimen, remedy: str = "") -> None:
+        """PreparedError when some pair conducts other than this material does."""
+        stored = specimen.columns.get("conduction/conductance")
+        if stored is None or not len(stored):
+            return
+        off = float(np.abs(stored / self.conductance(specimen) - 1).max())
+        if off > 1e-9:
+            raise PreparedError(f"{specimen.path}: /conduction/conductance differs by {off:g} from "
+                                f"that of {self.conductivity} W/(m K) everywhere; only one material "
+                                f"is understood{remedy}")
 
 
 @dataclass(frozen=True)
@@ -145,13 +181,14 @@ def read_specimen(path: str | Path) -> Specimen:
                 np.asarray(pairs, dtype=np.int64),
                 {k: np.asarray(v[:], dtype=np.int64) for k, v in file.get("sets", {}).items()},
                 {f"{g}/{k}": np.asarray(v[:], dtype=float) for g in groups
-                 for k, v in file[g].items() if isinstance(v, h5py.Dataset)},
+                 for k, v in file[g].items() if isinstance(v, h5py.Dataset) and k != "pairs"},
                 (periodic[0], periodic[1], periodic[2]),
                 np.array(domain.get("lower", np.zeros(3)), dtype=float),
                 np.array(domain.get("upper", np.zeros(3)), dtype=float),
                 float(domain.get("volume", 0.0)),
                 _values(loads.get("exchanges", {}), "conductance"),
                 _values(loads.get("powers", {}), "power"),
+                np.asarray(loads["pairs"][:], dtype=np.int64) if "pairs" in loads else None,
             )
     except OSError as error:
         raise PreparedError(f"{path}: cannot be read as HDF5 ({error})") from error

@@ -75,7 +75,7 @@ def main() -> None:
     prepared = time.perf_counter()
     scene.run(steps)
     wall = time.perf_counter() - prepared - recorder.observing_seconds
-    bonds = len(specimen.pairs)
+    bonds = len(specimen.conductors if parameters.conduction else specimen.pairs)
     recorder.write({
         "program": f"YADE {config.version}", "law": law,
         "elements": len(specimen.radius), "bonds": bonds, "steps": steps,

@@ -9,19 +9,10 @@ Temperatures live in numpy arrays and are not part of YADE's own saved states.
 from __future__ import annotations
 
 import numpy as np
-from prepared import Conduction, Floats, Parameters, Specimen
+from prepared import Floats, Parameters, Specimen
 from results import Recorder
 from visible import make_visible
 from yade import O, PyRunner
-
-
-def pair_conductance(specimen: Specimen, law: Conduction) -> Floats:
-    """(B,) conductance of each pair, W/K."""
-    if law.law == "voronoi":
-        return (law.conductivity * specimen.column("conduction/area")
-                / specimen.column("conduction/distance"))
-    area = specimen.column("conduction/transmission_area")[specimen.pairs]
-    return law.conductivity * np.sqrt(area[:, 0] * area[:, 1]) / specimen.rest_length
 
 
 class ScriptedHeatScene:
@@ -34,8 +25,10 @@ class ScriptedHeatScene:
         make_visible(self)
         self.recorder: Recorder | None = None
         count = len(specimen.radius)
-        self._first, self._second = specimen.pairs.T
-        self._conductance = pair_conductance(specimen, parameters.conduction)
+        self._first, self._second = specimen.conductors.T
+        stored = specimen.columns.get("conduction/conductance")
+        self._conductance = (parameters.conduction.conductance(specimen) if stored is None
+                             else stored)
         self._capacity = specimen.column("conduction/heat_capacity")
         self._temperature = np.full(count, parameters.conduction.initial_temperature)
         self._exchanges = {name: (specimen.exchanges[name], outside)

@@ -44,7 +44,9 @@ def prepare(body: Network, folder: Path, explained: dict[str, Any]) -> subproces
     """Writes a prepared specimen and exports it to the folder `out`."""
     with h5py.File(folder / "prepared.h5", "w") as file:
         file["elements/position"], file["elements/radius"] = body.body.position, body.body.radius
-        file["bonds/pairs"] = body.body.pairs.astype("i4")
+        file["bonds/pairs"] = body.body.pairs[::3].astype("i4")  # the contacts, not the faces
+        file["conduction/pairs"] = body.body.pairs.astype("i4")
+        file["conduction/conductance"] = body.conductance
         file.create_group("domain").attrs["volume"] = body.volume.sum()
         file["conduction/area"], file["conduction/distance"] = body.area, body.distance
         file["conduction/volume"], file["conduction/heat_capacity"] = body.volume, body.capacity
@@ -56,6 +58,11 @@ def prepare(body: Network, folder: Path, explained: dict[str, Any]) -> subproces
             file[f"conduction/powers/{name}/power"] = np.full(len(elements), 3.0)
         file["sets/temperature.held"] = HELD.astype("i4")
     (folder / "explained.json").write_text(json.dumps(explained))
+    return export(folder)
+
+
+def export(folder: Path) -> subprocess.CompletedProcess:
+    """Exports what is prepared in a folder to its folder `out`."""
     return subprocess.run(
         [CONTRIB / "export.py", "prepared.h5", "explained.json", "out"],
         cwd=folder,
@@ -111,6 +118,17 @@ def test_what_cannot_be_exported_is_told(
     done = prepare(body, tmp_path, {**EXPLAINED, **change})
     assert done.returncode != 0
     assert message in done.stderr
+    assert not (tmp_path / "out" / "heat.in").exists()
+
+
+def test_a_second_material_is_told(tmp_path: Path, body: Network) -> None:
+    prepare(body, tmp_path, EXPLAINED)
+    (tmp_path / "out" / "heat.in").unlink()
+    with h5py.File(tmp_path / "prepared.h5", "a") as file:
+        file["conduction/conductance"][7] *= 2
+    done = export(tmp_path)
+    assert done.returncode != 0
+    assert "only one material is understood" in done.stderr
     assert not (tmp_path / "out" / "heat.in").exists()
 
 

@@ -50,7 +50,7 @@ def bar(tmp_path_factory: pytest.TempPathFactory) -> Bar:
         file["conduction/transmission_area"] = radius**2 * random.uniform(2, 6, len(cell))
         file["conduction/heat_capacity"] = 880 * 1.9 * mass
         file["conduction/area"] = RADIUS**2 * random.uniform(0.1, 4, len(pairs))
-        file["conduction/distance"] = RADIUS * random.uniform(1.5, 2.5, len(pairs))
+        file["conduction/distance"] = distance[pairs[:, 0], pairs[:, 1]]
         for name, layer in (("left", 0), ("top", CELLS[0] - 1)):
             elements = np.flatnonzero(cell[:, 0] == layer)
             exchange = file.create_group(f"conduction/exchanges/{name}")
