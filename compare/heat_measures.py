@@ -96,8 +96,8 @@ def _histories(view: View) -> tuple[Floats, Floats]:
 def dispersion(view: View) -> Measured:
     """δ of Terreros 2013, section 2.5.2: mean over time of (largest − least) / largest, in °C.
 
-    Over the specimens of the group. Options: `column`; `against` (a value of the variants, for the
-    plot), `label` (of the line), `limit` (a line to draw).
+    Over the specimens of the group. Options: `column`; for the plot `against` (a value of the
+    variants), `title`, `label` and `style` of the line, `limit` and `limit_label` (a line across).
     """
     _, rows = _histories(view)
     most, least = rows.max(axis=0), rows.min(axis=0)
@@ -105,15 +105,17 @@ def dispersion(view: View) -> Measured:
     options = view.check.options
     plot = None
     if "against" in options:
-        values = [v.values[options["against"]] for v in view.case.variants_of(view.check)]
-        plot = Plot(f"dispersion, {options['column']}", options["against"], "δ, %",
-                    [Series(options.get("label", view.check.quantity),
-                            np.array([view.variant.values[options["against"]]]),
-                            np.array([100 * spread]), "o-", joined=True)], log_x=True, log_y=True)
+        values = [v.values[options["against"]] for v in view.case.variants
+                  if options["against"] in v.values]
+        plot = Plot(options.get("title", f"dispersion, {options['column']}"), options["against"],
+                    "δ, %", [Series(options.get("label", view.check.quantity),
+                                    np.array([view.variant.values[options["against"]]]),
+                                    np.array([100 * spread]), options.get("style", "o-"),
+                                    joined=True)], log_x=True, log_y=True)
         if "limit" in options:
             plot.series.append(Series(options.get("limit_label", "limit"),
                                       np.array([min(values), max(values)]),
-                                      np.full(2, 100 * options["limit"]), "k:"))
+                                      np.full(2, 100 * options["limit"]), "k-"))
     return Measured(spread, f"{len(rows)} specimens", plot)
 
 

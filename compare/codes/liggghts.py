@@ -111,7 +111,8 @@ def _heat_lines(job: Job, explained: dict[str, Any], directory: Path) -> str:
 
 def _read_thermo(path: Path) -> Floats:
     """Rows of the last thermo table of a log."""
-    table = path.read_text(errors="replace").rpartition("\nStep ")[2].partition("\nLoop time")[0]
+    text = path.read_text(errors="replace")
+    table = re.split(r"\n *Step ", text)[-1].partition("\nLoop time")[0]
     try:
         return np.array([line.split() for line in table.splitlines()[1:]], dtype=float)
     except ValueError as error:
