@@ -31,10 +31,11 @@ void AdaptiveHeatSteps::restart() {
   wanted_ = 0;
   last_error_ = 1;
   euler_error_ = 0;
+  method_ = -1;
 }
 
 std::vector<double> AdaptiveHeatSteps::save() const {
-  std::vector<double> saved{wanted_, last_error_, euler_error_};
+  std::vector<double> saved{wanted_, last_error_, euler_error_, static_cast<double>(method_)};
   for (const auto& method : methods_) saved.push_back(method->memory());
   return saved;
 }
@@ -43,7 +44,8 @@ void AdaptiveHeatSteps::restore(const std::vector<double>& saved) {
   wanted_ = saved.at(0);
   last_error_ = saved.at(1);
   euler_error_ = saved.at(2);
-  for (std::size_t m = 0; m < methods_.size(); ++m) methods_[m]->set_memory(saved.at(3 + m));
+  method_ = static_cast<int>(saved.at(3));
+  for (std::size_t m = 0; m < methods_.size(); ++m) methods_[m]->set_memory(saved.at(4 + m));
 }
 
 /// A first step length from the powers now and after a tiny Euler step: the third derivative is
@@ -70,19 +72,28 @@ void AdaptiveHeatSteps::foresee(double duration) {
 double AdaptiveHeatSteps::allowed(const HeatMethod& method, double remaining) {
   const double stable = method.longest_step(body_, from_);
   if (method.error_power() > 2) return std::min(wanted_, stable);
+  const double longest = std::min(wanted_, stable);
   const double share = euler_error_ * std::min(wanted_, remaining);
-  return share > 0 ? std::min(stable, safety * tolerance_ / share) : stable;
+  return share > 0 ? std::min(longest, safety * tolerance_ / share) : longest;
 }
 
-std::size_t AdaptiveHeatSteps::choose(double remaining) {
+/// The method with the least foreseen work for what remains. Each leaves other traces in the
+/// temperatures, so that a change must promise a gain.
+int AdaptiveHeatSteps::choose(double remaining) {
   if (methods_.size() == 1) return 0;
   foreseen_duration_ = remaining;
   foreseen_work_.assign(methods_.size(), 0.0);
-  std::size_t best = 0;
+  int best = 0;
+  double least = 0;
   for (std::size_t m = 0; m < methods_.size(); ++m) {
     const double steps = count_of_steps(remaining, allowed(*methods_[m], remaining));
     foreseen_work_[m] = steps * methods_[m]->work(body_, from_, remaining / steps);
-    if (foreseen_work_[m] < foreseen_work_[best]) best = m;
+    const int index = static_cast<int>(m);
+    const double work = foreseen_work_[m] * (index == method_ ? 0.7 : 1);
+    if (m == 0 || work < least) {
+      best = index;
+      least = work;
+    }
   }
   return best;
 }
@@ -103,8 +114,9 @@ bool AdaptiveHeatSteps::adapt(const HeatMethod& method, double h, double error) 
   const int power = method.error_power();
   if (!(error <= 1)) {
     const double factor = std::max(0.1, safety * std::pow(error, -1.0 / power));
-    // An Euler step that fails says so in its own constant; the second-order step may stand.
-    if (power > 2) wanted_ = factor * h;
+    // An Euler step that fails says so in its own constant; longer ones of second order may do.
+    wanted_ = power == 2 ? 0.7 * wanted_ : factor * h;
+    if (!std::isfinite(euler_error_)) euler_error_ = 0;
     return true;
   }
   if (power == 2) {
@@ -140,12 +152,12 @@ double AdaptiveHeatSteps::advance(HeatEquation& equation, double time, double du
 
   double done = 0, h = 0;
   int planned = 0;  // equal steps still to go
-  std::size_t chosen = 0;
   while (done < duration) {
     const double remaining = duration - done;
     if (planned == 0) {
-      chosen = choose(remaining);
-      const double steps = count_of_steps(remaining, allowed(*methods_[chosen], remaining));
+      method_ = choose(remaining);
+      const HeatMethod& method = *methods_[static_cast<std::size_t>(method_)];
+      const double steps = count_of_steps(remaining, allowed(method, remaining));
       h = remaining / steps;
       planned = static_cast<int>(std::min(steps, 1e9));
     }
@@ -155,7 +167,7 @@ double AdaptiveHeatSteps::advance(HeatEquation& equation, double time, double du
                       "tolerance of {:.3g} K; look for a property or a load that is not "
                       "a number",
                       from_.time, tolerance_));
-    HeatMethod& method = *methods_[chosen];
+    HeatMethod& method = *methods_[static_cast<std::size_t>(method_)];
     if (!method.step(body_, from_, h, 1e-3 * tolerance_, received_)) {
       ++body_.statistics.rejected;
       wanted_ = 0.25 * h;
@@ -197,10 +209,11 @@ std::string AdaptiveHeatSteps::explanation() const {
       tolerance_, body_.statistics.explicit_steps, body_.statistics.rkl2_steps,
       body_.statistics.implicit_steps);
   if (!foreseen_work_.empty()) {
-    text += fmt::format("; the last {:.3g} s were foreseen to cost as much as", foreseen_duration_);
+    text +=
+        fmt::format("; foreseen at the last choice, for {:.3g} s, in evaluations of the heat flow:",
+                    foreseen_duration_);
     for (std::size_t m = 0; m < methods_.size(); ++m)
-      text += fmt::format("{} {:.3g} evaluations of the heat flow {}", m > 0 ? "," : "",
-                          foreseen_work_[m], methods_[m]->name());
+      text += fmt::format("{} {} {:.3g}", m > 0 ? "," : "", methods_[m]->name(), foreseen_work_[m]);
   }
   return text;
 }

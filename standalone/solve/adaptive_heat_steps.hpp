@@ -25,7 +25,7 @@ class AdaptiveHeatSteps : public HeatIntegrator {
  private:
   void foresee(double duration);
   double allowed(const HeatMethod& method, double remaining);
-  std::size_t choose(double remaining);
+  int choose(double remaining);
   double error_in_tolerances(HeatMethod& method, double h, double remaining);
   bool adapt(const HeatMethod& method, double h, double error);
 
@@ -42,6 +42,7 @@ class AdaptiveHeatSteps : public HeatIntegrator {
   double wanted_ = 0;       // second-order step that meets the tolerance, s; 0: not known
   double last_error_ = 1;   // of the last step taken, in tolerances
   double euler_error_ = 0;  // of an Euler step over its length squared, K/s²
+  int method_ = -1;         // of the last step
 };
 
 }  // namespace solidem

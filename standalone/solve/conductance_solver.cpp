@@ -9,13 +9,13 @@ namespace solidem {
 namespace {
 
 // Measured on random networks of 6 and 14 neighbours with 5000 to 100000 elements, in products with
-// K (3.3 ns an entry): what one entry of a factor costs in a solve, one operation in making it, and
-// one iteration behind an incomplete factor.
-constexpr double entry_of_factor = 1.6;
-constexpr double operation_of_factor = 0.3;
-constexpr double iteration_cost = 3;
-/// Solves among which a lasting factorisation is shared.
-constexpr double solves_of_lasting = 100;
+// K (1.05 ns for each entry and six for each row): an entry of a factor in a solve (4 to 6 ns), an
+// operation in making it (1 ns), an iteration behind an incomplete factor.
+constexpr double entry_of_factor = 4.5;
+constexpr double operation_of_factor = 1;
+constexpr double iteration_cost = 3.5;
+/// Solves among which a factorisation is shared.
+constexpr double solves_of_lasting = 100, solves_of_passing = 3;
 
 }  // namespace
 
@@ -59,7 +59,7 @@ ConductanceSolver::Work ConductanceSolver::work(double stiffness, bool lasting) 
   // The condition of C + θK is 1 + 2θK/C, as far as the size of the body lets it grow.
   const double iterations = std::min(3 + 1.6 * std::sqrt(stiffness), 3 + 3 * std::cbrt(rows));
   Work work{2, iteration_cost * iterations, false};
-  if (!lasting || rows == 0) return work;
+  if (rows == 0) return work;
   if (factor_entries_ < 0) {
     factor_.analyzePattern(conductance_);
     factor_entries_ = factor_.entries();
@@ -67,7 +67,8 @@ ConductanceSolver::Work ConductanceSolver::work(double stiffness, bool lasting) 
   }
   const double prepare = operation_of_factor * factor_operations_ / product;
   const double solve = entry_of_factor * factor_entries_ / product;
-  if (prepare / solves_of_lasting + solve < work.solve) work = {prepare, solve, true};
+  const double shared = prepare / (lasting ? solves_of_lasting : solves_of_passing);
+  if (shared + solve < work.solve) work = {prepare, solve, true};
   return work;
 }
 

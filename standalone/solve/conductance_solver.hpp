@@ -25,7 +25,7 @@ class ConductanceSolver {
   /// Takes K (N, N) without the rows and columns of imposed elements.
   void set_conductance(const Matrix& conductance, const std::vector<char>& imposed);
 
-  /// Makes ready for C (N) and θ; `lasting`: for many solves.
+  /// Makes ready for C (N) and θ; `lasting`: for very many solves.
   void prepare(const std::vector<double>& capacity, double theta, bool lasting,
                HeatIntegratorStatistics& statistics);
 
@@ -41,6 +41,8 @@ class ConductanceSolver {
     bool factorised;
   };
   Work work(double stiffness, bool lasting);
+
+  bool is_factorised() const { return factorised_; }
 
  private:
   /// LDLᵀ that tells how large it will be before it is made.

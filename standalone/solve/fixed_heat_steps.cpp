@@ -22,11 +22,7 @@ double FixedHeatSteps::advance(HeatEquation& equation, double time, double durat
   while (done < duration) {
     body_.evaluate(from_);
     const double remaining = duration - done;
-    double longest =
-        std::min(halved, method_->needs_graded_start()
-                             ? std::min(std::max(0.5 * elapsed_, body_.stable_step(from_)),
-                                        method_->longest_step(body_, from_))
-                             : duration);
+    const double longest = std::min(halved, method_->graded_step(body_, from_, elapsed_, duration));
     const double steps = std::max(1.0, std::ceil(remaining / longest - 1e-9));
     const double h = steps > 1 ? remaining / steps : remaining;
     if (!method_->step(body_, from_, h, 0, received_)) {

@@ -8,17 +8,20 @@
 
 namespace solidem {
 
-/// One step per advance, with two exceptions. A method that needs it has a graded start: after a
-/// jump no step is longer than half the time since, or than the explicit limit. And an implicit
-/// step that finds no solution is tried again in halves.
+/// One step per advance, with two exceptions. After a jump of the loads steps start short and grow
+/// with the time since, as the method needs it. And an implicit step that finds no solution is
+/// tried again in halves.
 class FixedHeatSteps : public HeatIntegrator {
  public:
   explicit FixedHeatSteps(std::unique_ptr<HeatMethod> method);
   double advance(HeatEquation& equation, double time, double duration, double* temperature,
                  double* heat) override;
   void restart() override { elapsed_ = 0; }
-  std::vector<double> save() const override { return {elapsed_}; }
-  void restore(const std::vector<double>& saved) override { elapsed_ = saved.at(0); }
+  std::vector<double> save() const override { return {elapsed_, method_->memory()}; }
+  void restore(const std::vector<double>& saved) override {
+    elapsed_ = saved.at(0);
+    method_->set_memory(saved.at(1));
+  }
   const HeatIntegratorStatistics& statistics() const override { return body_.statistics; }
   std::string explanation() const override;
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "solve/heat_equation.hpp"
-
 namespace solidem {
+
+class HeatEquation;
 
 /// What an integrator did since it was made.
 struct HeatIntegratorStatistics {

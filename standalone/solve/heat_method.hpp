@@ -20,8 +20,12 @@ class HeatMethod {
   virtual std::int64_t& counter(HeatIntegratorStatistics& statistics) const = 0;
   /// Power of the step length in the error of one step.
   virtual int error_power() const = 0;
-  /// Whether the first steps after a jump must be short for the step to be of use at all.
-  virtual bool needs_graded_start() const { return false; }
+  /// Longest step a time `elapsed` after a jump of the loads, s, when advances take `duration`:
+  /// longer ones would not follow what the jump sets going.
+  virtual double graded_step(HeatBody&, const HeatState& /*from*/, double /*elapsed*/,
+                             double duration) const {
+    return duration;
+  }
   /// Whether a change of the step length is dear.
   virtual bool prefers_equal_steps() const { return false; }
 

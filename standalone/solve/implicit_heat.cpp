@@ -12,9 +12,7 @@ namespace {
 const double gamma = 1 - std::sqrt(0.5);
 constexpr int most_sweeps = 30;
 /// Work of a product with the conductance matrix in evaluations of the powers.
-constexpr double product = 2;
-/// Steps that are expected to share a complete factorisation.
-constexpr double steps_of_factor = 8;
+constexpr double product = 3;
 
 }  // namespace
 
@@ -35,13 +33,17 @@ void ImplicitHeat::take_conductances(HeatBody& body, const HeatState& at) {
   solver_.set_conductance(conductance, imposed);
   equation_ = &equation;
   theta_ = 0;
+  lasting_ = false;
 }
 
 void ImplicitHeat::prepare(HeatBody& body, const HeatState& at, double theta) {
   take_conductances(body, at);
-  if (theta == theta_) return;
+  // A step length that comes back is one that stays.
+  const bool lasting = body.equation().is_linear() && theta == last_theta_;
+  if (theta == theta_ && (lasting_ >= lasting || solver_.is_factorised())) return;
   theta_ = last_theta_ = theta;
-  solver_.prepare(capacity_, theta, body.equation().is_linear(), body.statistics);
+  lasting_ = lasting;
+  solver_.prepare(capacity_, theta, lasting, body.statistics);
 }
 
 /// Stage: H(T) = H(from) + before + θ P(T), from a first guess in `stage`, whose time is set.
@@ -112,6 +114,11 @@ double ImplicitHeat::error(HeatBody& body, const HeatState& from, const HeatStat
   return largest_of_free(body, [&](std::size_t i) { return correction_[i]; });
 }
 
+double ImplicitHeat::graded_step(HeatBody& body, const HeatState& from, double elapsed,
+                                 double duration) const {
+  return std::max({elapsed, duration / 64, body.stable_step(from)});
+}
+
 double ImplicitHeat::longest_step(HeatBody&, const HeatState&) const {
   return std::numeric_limits<double>::infinity();
 }
@@ -120,11 +127,10 @@ double ImplicitHeat::work(HeatBody& body, const HeatState& from, double h) {
   const bool linear = body.equation().is_linear();
   if (linear || equation_ != &body.equation()) take_conductances(body, from);
   const double theta = gamma * h;
-  const ConductanceSolver::Work solver = solver_.work(theta * stiffness_rate_, linear);
+  const bool lasting = linear && theta == last_theta_;
+  const ConductanceSolver::Work solver = solver_.work(theta * stiffness_rate_, lasting);
   const double sweeps = linear ? 1 : 3;  // of each stage
-  const double prepare = linear && theta == last_theta_
-                             ? 0
-                             : solver.prepare / (solver.factorised ? steps_of_factor : 1);
+  const double prepare = lasting ? 0 : solver.prepare;
   return 2 * (sweeps + 1) + 1 + product * ((2 * sweeps + 1) * solver.solve + prepare);
 }
 

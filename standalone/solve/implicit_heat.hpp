@@ -20,6 +20,8 @@ class ImplicitHeat : public HeatMethod {
     return statistics.implicit_steps;
   }
   int error_power() const override { return 3; }
+  double graded_step(HeatBody& body, const HeatState& from, double elapsed,
+                     double duration) const override;
   bool prefers_equal_steps() const override { return true; }
   bool step(HeatBody& body, const HeatState& from, double h, double tolerance,
             std::vector<double>& received) override;
@@ -39,6 +41,7 @@ class ImplicitHeat : public HeatMethod {
   ConductanceSolver solver_;
   HeatEquation* equation_ = nullptr;  // whose conductances the solver has
   double theta_ = 0;                  // it is ready for
+  bool lasting_ = false;              // for many solves
   double last_theta_ = 0;             // it was ready for, in this run or one that it goes on with
   double stiffness_rate_ = 0;         // largest K_ii/C_i, 1/s
   HeatState first_, second_;

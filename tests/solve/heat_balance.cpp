@@ -114,8 +114,12 @@ TEST(HeatBalance, of_an_implicit_step_closes_at_a_million_explicit_limits) {
     const double step = 1e6 * network.stable_step(0, t.data());
     auto integrator = make_heat_integrator(HeatIntegration::implicit, {});
     double imposed = 0;
-    for (int k = 0; k < 3; ++k)
+    std::int64_t steps = 0;
+    for (int k = 0; k < 3; ++k) {
+      steps = integrator->statistics().inner_steps;
       imposed += integrator->advance(network, k * step, step, t.data(), heat.data());
+    }
+    EXPECT_EQ(integrator->statistics().inner_steps, steps + 1);
     const double gap = network.total_enthalpy(t) - before - imposed;
     double farthest = 0;
     for (const double value : t) farthest = std::max(farthest, std::fabs(value - 800));
@@ -125,7 +129,6 @@ TEST(HeatBalance, of_an_implicit_step_closes_at_a_million_explicit_limits) {
     EXPECT_LT(std::fabs(gap), 1e-12 * imposed);
     // Each step leaves at most 4.83/z of a mode that decays by exp(−z).
     EXPECT_LT(farthest, 1e-4);
-    EXPECT_EQ(integrator->statistics().inner_steps, 3);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "solve/heat_equation.hpp"
 #include "solve/heat_integrator.hpp"
 
 namespace solidem {
