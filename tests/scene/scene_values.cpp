@@ -54,6 +54,16 @@ TEST(Scene, OtherShapes) {
                                "shape = \"crystal\"\nlattice = \"fcc\"\ncells = [1, 2, 3]\n"
                                "element_radius = \"0.1 mm\"\n"))
           .specimen;
+  const SpecimenRecipe wedge =
+      read_text_scene(replaced(bar_scene, box,
+                               "shape = \"wedge\"\nlength = \"3 mm\"\ninner_radius = \"1 mm\"\n"
+                               "outer_radius = \"2 mm\"\nangle = \"90 degree\"\naxis = \"z\"\n"))
+          .specimen;
+  EXPECT_EQ(wedge.length, 3e-3);
+  EXPECT_EQ(wedge.inner_radius, 1e-3);
+  EXPECT_EQ(wedge.radius, 2e-3);
+  EXPECT_DOUBLE_EQ(wedge.angle, 2 * std::atan(1.0));
+  EXPECT_EQ(wedge.axis, "z");
   EXPECT_EQ(crystal.lattice, "fcc");
   EXPECT_EQ(crystal.cells, (std::array<int, 3>{1, 2, 3}));
   EXPECT_EQ(crystal.element_radius, 1e-4);

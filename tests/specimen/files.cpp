@@ -91,6 +91,27 @@ TEST_F(SpecimenFile, Hdf5KeepsEverything) {
   EXPECT_EQ(read.domain.upper.z, specimen.domain.upper.z);
 }
 
+TEST_F(SpecimenFile, Hdf5KeepsTheOutlineOfAWedge) {
+  SpecimenRecipe recipe;
+  recipe.shape = "wedge";
+  recipe.axis = "z";
+  recipe.length = recipe.radius = 1e-3;
+  recipe.inner_radius = 0.3e-3;
+  recipe.angle = 1.25;
+  recipe.elements = 100;
+  Specimen specimen = make_specimen(recipe);
+  write_specimen(path("a.h5"), specimen);
+  const Domain read = read_specimen(path("a.h5")).domain;
+  EXPECT_EQ(read.shape, "wedge");
+  EXPECT_EQ(read.inner_radius, 0.3e-3);
+  EXPECT_EQ(read.angle, 1.25);
+  specimen.domain.angle = 3.5;
+  expect_input_error([&] { write_specimen(path("b.h5"), specimen); }, {"angle 3.5 rad", "< pi"});
+  specimen.domain.angle = 1.25;
+  specimen.domain.inner_radius = 2e-3;
+  expect_input_error([&] { write_specimen(path("b.h5"), specimen); }, {"inner radius 0.002 m"});
+}
+
 TEST_F(SpecimenFile, Hdf5HasTheNamesOtherCodesRead) {
   write_specimen(path("a.h5"), small_packing());
   const Hdf5File file = Hdf5File::open(path("a.h5"));

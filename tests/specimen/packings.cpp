@@ -11,8 +11,10 @@
 #include <numeric>
 
 #include "model/error.hpp"
+#include "specimen/packing.hpp"
 #include "specimen/quench.hpp"
 #include "specimen/recipe.hpp"
+#include "specimen/shape.hpp"
 
 namespace solidem {
 namespace {
@@ -135,6 +137,68 @@ TEST(Packing, CylinderAlongEachAxis) {
   }
 }
 
+SpecimenRecipe ring(const std::string& shape, const std::string& axis) {
+  SpecimenRecipe recipe;
+  recipe.shape = shape;
+  recipe.axis = axis;
+  recipe.length = 1e-3;
+  recipe.inner_radius = 0.5e-3;
+  recipe.radius = 1.2e-3;
+  recipe.angle = 2.0;
+  recipe.elements = 1000;
+  recipe.origin = {1e-3, 2e-3, 3e-3};
+  return recipe;
+}
+
+void expect_compact_inside(const SpecimenRecipe& recipe, double sector) {
+  const Specimen specimen = make_specimen(recipe);
+  const double R = recipe.radius, r = recipe.inner_radius;
+  EXPECT_DOUBLE_EQ(specimen.domain.volume, sector / 2 * (R * R - r * r) * recipe.length);
+  EXPECT_NEAR(specimen.report.at("coordination_number"), 6.2, 0.05);
+  EXPECT_NEAR(specimen.report.at("solid_fraction"), 0.62, 0.01);
+  EXPECT_GT(specimen.report.at("bulk_elements"), 20);
+  EXPECT_LE(specimen.report.at("mean_overlap"), largest_mean_overlap);
+  EXPECT_LE(specimen.report.at("rattlers"), 0.015 * 1000);
+  expect_isotropic(specimen, 0.02);
+  expect_exact_mass(specimen);
+  const int axis = recipe.axis[0] - 'x';
+  for (std::size_t i = 0; i < specimen.size(); ++i) {
+    const Vector p = specimen.position[i] - recipe.origin;
+    const double reach = 0.85 * specimen.radius[i];
+    const double first = component(p, (axis + 1) % 3), second = component(p, (axis + 2) % 3);
+    EXPECT_GT(component(p, axis), reach);
+    EXPECT_LT(component(p, axis), recipe.length - reach);
+    EXPECT_GT(std::hypot(first, second), r + reach);
+    EXPECT_LT(std::hypot(first, second), R - reach);
+    if (recipe.shape != "wedge") continue;
+    EXPECT_GT(second, reach);
+    EXPECT_GT(first * std::sin(sector) - second * std::cos(sector), reach);
+  }
+}
+
+TEST(Packing, Annulus) {
+  expect_compact_inside(ring("annulus", "y"), 2 * 3.14159265358979323846);
+}
+
+TEST(Packing, WedgeAlongEachAxis) {
+  for (const char* axis : {"x", "y", "z"}) expect_compact_inside(ring("wedge", axis), 2.0);
+}
+
+TEST(Packing, BoundingBoxOfAWedge) {
+  SpecimenRecipe recipe = ring("wedge", "z");
+  recipe.origin = {};
+  const Domain wide = shape_of(recipe);
+  EXPECT_DOUBLE_EQ(wide.lower.x, 1.2e-3 * std::cos(2.0));
+  EXPECT_DOUBLE_EQ(wide.upper.x, 1.2e-3);
+  EXPECT_DOUBLE_EQ(wide.lower.y, 0);
+  EXPECT_DOUBLE_EQ(wide.upper.y, 1.2e-3);
+  recipe.angle = 1.0;
+  const Domain narrow = shape_of(recipe);
+  EXPECT_DOUBLE_EQ(narrow.lower.x, 0.5e-3 * std::cos(1.0));
+  EXPECT_DOUBLE_EQ(narrow.upper.y, 1.2e-3 * std::sin(1.0));
+  for (const Domain& domain : {wide, narrow}) EXPECT_NEAR(norm(domain.axis_point()), 0, 1e-18);
+}
+
 TEST(Packing, MeanRadiusGivesTheNumberOfElements) {
   SpecimenRecipe recipe = cube(0);
   recipe.mean_radius = 1e-4;
@@ -235,6 +299,19 @@ TEST(Packing, RefusesIncompleteAndImpossibleRecipes) {
   recipe.axis = "x";
   recipe.periodic = {false, true, false};
   expect_refusal(recipe, "along its axis");
+  recipe = ring("annulus", "x");
+  recipe.inner_radius = recipe.radius;
+  expect_refusal(recipe, "below outer_radius");
+  recipe.inner_radius = 0;
+  expect_refusal(recipe, "specimen.inner_radius = 0 m");
+  recipe = ring("annulus", "x");
+  recipe.inner_radius = 1.19e-3;
+  expect_refusal(recipe, "take more elements");
+  recipe = ring("wedge", "z");
+  recipe.angle = 3.2;
+  expect_refusal(recipe, "specimen.angle = 3.2 rad");
+  recipe.angle = 0.01;
+  expect_refusal(recipe, "take more elements");
 }
 
 }  // namespace
