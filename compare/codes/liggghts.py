@@ -119,6 +119,18 @@ def _read_thermo(path: Path) -> Floats:
         raise CodeFailure(f"liggghts wrote a torn log: {error}") from error
 
 
+def _heat_of_the_start(job: Job, column: str) -> float:
+    """Heat that brings elements to an imposed temperature at the start, J; the fix leaves it out."""
+    law = job.parameters.conduction
+    name = column.removeprefix("temperature.").removesuffix(".heat")
+    value = job.parameters.temperatures.get(name)
+    if law is None or value is None or column != f"temperature.{name}.heat":
+        return 0.0
+    capacity = job.specimen.column("conduction/heat_capacity")
+    held = job.specimen.sets[f"temperature.{name}"]
+    return float(capacity[held].sum() * (value - law.initial_temperature))
+
+
 def _read_rows(path: Path) -> Floats:
     """Rows of numbers that LIGGGHTS printed."""
     try:
@@ -209,7 +221,7 @@ class Liggghts:
             rows = _read_thermo(directory / "output.log")
             history = {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
             for number, name in enumerate(_heat_columns(job.parameters)):
-                history[name] = rows[:, 1 + number]
+                history[name] = rows[:, 1 + number] + _heat_of_the_start(job, name)
         if not job.parameters.grips or not job.parameters.beams:
             return history
         rows = _read_rows(directory / "history.txt")

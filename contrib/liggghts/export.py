@@ -107,6 +107,16 @@ def _density(explained: dict[str, Any]) -> float:
     return float(explained["density"])
 
 
+def _require_one_capacity(specimen: Specimen, capacity: float) -> None:
+    """PreparedError when some element stores other than this, J/(m³ K)."""
+    expected = capacity * specimen.column("conduction/volume")
+    off = float(np.abs(specimen.column("conduction/heat_capacity") / expected - 1).max())
+    if off > 1e-9:
+        raise PreparedError(f"{specimen.path}: /conduction/heat_capacity differs by {off:g} from "
+                            f"that of {capacity:g} J/(m^3 K) everywhere; only one material is "
+                            "understood")
+
+
 def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, Any],
                directory: Path) -> str:
     """The commands for conduction and what heats the body; their files go to the directory.
@@ -118,6 +128,7 @@ def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, 
     if law is None:
         raise PreparedError(f"{specimen.path}: the scene has no [conduction]")
     law.require_one_material(specimen)
+    _require_one_capacity(specimen, _density(explained) * law.specific_heat_capacity)
     words = f"law {law.law}"
     if law.law == "platonic-calibrated":
         words += f" area_factor {full(law.area_factor)} volume {full(specimen.volume)}"

@@ -128,6 +128,9 @@ class HeatScene:
             np.add.at(power, self.specimen.powers[name].elements,
                       self.specimen.powers[name].values)
         self._heated = [(self._states[i], float(power[i])) for i in np.flatnonzero(power).tolist()]
+        # What a source gives to a held element leaves the body at once.
+        self._lost = {name: float(power[self.specimen.sets[name]].sum()) if name in self.specimen.sets
+                      else 0.0 for name in self._heat}
 
     def heat(self) -> None:
         """Heat sources: the engine adds what it conducts to the flux it finds."""
@@ -137,7 +140,7 @@ class HeatScene:
     def count_heat(self) -> None:
         """What held spheres gave in this step."""
         for number, name in enumerate(self._heat):
-            self._heat[name] -= O.dt * self._engine.thermalBndFlux[number]
+            self._heat[name] -= O.dt * (self._engine.thermalBndFlux[number] + self._lost[name])
 
     def set_temperatures(self, temperature: Floats) -> None:
         """Overwrites the temperatures (N,) of all elements, K."""

@@ -121,11 +121,12 @@ def test_what_cannot_be_exported_is_told(
     assert not (tmp_path / "out" / "heat.in").exists()
 
 
-def test_a_second_material_is_told(tmp_path: Path, body: Network) -> None:
+@pytest.mark.parametrize("column", ["conductance", "heat_capacity"])
+def test_a_second_material_is_told(tmp_path: Path, body: Network, column: str) -> None:
     prepare(body, tmp_path, EXPLAINED)
     (tmp_path / "out" / "heat.in").unlink()
     with h5py.File(tmp_path / "prepared.h5", "a") as file:
-        file["conduction/conductance"][7] *= 2
+        file[f"conduction/{column}"][7] *= 2
     done = export(tmp_path)
     assert done.returncode != 0
     assert "only one material is understood" in done.stderr
