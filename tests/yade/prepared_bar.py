@@ -58,6 +58,8 @@ def bar(tmp_path_factory: pytest.TempPathFactory) -> Bar:
             exchange["conductance"] = CONDUCTIVITY * RADIUS * random.uniform(0.1, 4, len(elements))
         file["conduction/powers/laser/elements"] = np.arange(50, 70)
         file["conduction/powers/laser/power"] = random.uniform(1, 5, 20)
+        file["conduction/powers/lamp/elements"] = np.arange(8, 24)  # some of them are held
+        file["conduction/powers/lamp/power"] = random.uniform(1, 5, 16)
         file["sets/grip.left"] = np.flatnonzero(cell[:, 0] == 0)
         file["sets/grip.right"] = np.flatnonzero(cell[:, 0] == CELLS[0] - 1)
         file["sets/temperature.hot"] = np.flatnonzero(cell[:, 0] == 0)

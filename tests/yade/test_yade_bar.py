@@ -137,6 +137,21 @@ def test_walls_and_sources_are_the_explicit_scheme(bar: Bar, tmp_path: Path, law
     assert energy[-1] - energy[0] == pytest.approx(sum(heat.values()) + laser, rel=1e-8)
 
 
+@pytest.mark.parametrize("law", ["native", "scripted"])
+def test_what_heats_held_elements_leaves_through_them(bar: Bar, tmp_path: Path, law: str) -> None:
+    steps, lamp = 100, bar.specimen.powers["lamp"]
+    assert np.isin(lamp.elements, bar.specimen.sets["temperature.hot"]).any()
+    task = {**heat_task(bar, steps), "powers": [{"name": "lamp", "constant": True}],
+            "exchanges": [{"name": "left", "temperature": 350.0}]}  # of the held elements
+    history = run_yade(bar.path, task, tmp_path, "--law", law).history
+    supplied = history["temperature.hot.heat"] + history["left.heat"]
+    supplied += lamp.values.sum() * history["time"]
+    capacity = bar.specimen.columns["conduction/heat_capacity"]
+    gained = history["thermal_energy"] - 298 * capacity.sum()
+    assert history["left.heat"][-1] < 0
+    assert supplied == pytest.approx(gained, rel=1e-8)
+
+
 def test_incremental_form_agrees_to_first_order_in_strain(bar: Bar, tmp_path: Path) -> None:
     task = beam_task(bar, 1e-3 * 12 * RADIUS / (STEPS * bar.beam_step), STEPS)
     total = run_yade(bar.path, task, tmp_path / "total")

@@ -21,6 +21,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "laws/heat_exchange.hpp"
 #include "laws/platonic_conduction.hpp"
 #include "modify.h"
 #include "neighbor.h"
@@ -309,7 +310,9 @@ void FixSolidemConduction::build_conductors() {
     for (int m = 0; m < atom->num_bond[i]; m++) {
       const int j = partner(i, m);
       if (!force->newton_bond && i > j) continue;  // the bond is listed by both
-      conductors.push_back({i, j, conductivity * area(i, m, j) / bond_value[i][m][0]});
+      const double distance = bond_value[i][m][0];
+      conductors.push_back(
+          {i, j, solidem::path_conductance(conductivity, area(i, m, j), distance)});
     }
   find_steps();
 }
