@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A conducting body with faces of arbitrary areas, its files for LIGGGHTS, and its explicit steps in
-numpy."""
+"""A conducting body with faces of arbitrary areas, its files for LIGGGHTS, and its explicit steps
+in numpy."""
 
 from dataclasses import dataclass
 from pathlib import Path
