@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The error of one run, read with the measures of compare/."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+import compare.heat_measures  # noqa: F401  (makes its measures known)
+from benchmarks.accuracy_cost.study import Reading, Study
+from compare.case import Case, Check, Variant
+from compare.codes.base import Job
+from compare.measures import MEASURES, measure
+from compare.references import MovingDisc, moving_disc_temperature
+from compare.result import CodeFailure, Floats, Result
+from compare.row import Measured
+from compare.runs import CaseRuns, View
+
+#: Times at which the series of the moving disc is summed; between them it is read linearly.
+SERIES_TIMES = 1000
+
+
+class OneRun(CaseRuns):
+    """One run that is over, in the form that measures look at."""
+
+    def __init__(self, case: Case, job: Job, result: Result, kept: dict[Any, Any]):
+        """`kept` is shared by all runs of a study."""
+        self.case, self._job, self._result, self.kept = case, job, result, kept
+
+    def job(self, variant: str) -> Job:
+        """What the code was given."""
+        return self._job
+
+    def result(self, variant: str, code: str) -> Result:
+        """What it brought back."""
+        return self._result
+
+
+def _series(view: View) -> tuple[Floats, Floats]:
+    """Times and exact temperatures, K, at the point of option `point`."""
+    plate, point = MovingDisc(**view.case.options["plate"]), tuple(view.option("point"))
+    key = ("moving disc", repr(plate), point)
+    if key not in view.runs.kept:
+        time = np.linspace(0, plate.duration, SERIES_TIMES)
+        view.runs.kept[key] = time, moving_disc_temperature(plate, time, np.array([point]))[:, 0]
+    found: tuple[Floats, Floats] = view.runs.kept[key]
+    return found
+
+
+@measure
+def error_in_rise(view: View) -> Measured:
+    """Largest difference of a sensor from the moving disc's series / largest rise at the point.
+
+    Options: `column`, `point` (x, y in m).
+    """
+    name = view.option("column")
+    if name not in view.tested.history:
+        raise CodeFailure(f"{view.tested.code} has no column {name} in its history")
+    time, exact = _series(view)
+    right = np.interp(view.tested.history["time"], time, exact)
+    return Measured(float(np.abs(view.tested.history[name] - right).max() / np.ptp(exact)))
+
+
+def errors(study: Study, reading: Reading, job: Job, result: Result,
+           kept: dict[Any, Any]) -> dict[str, float]:
+    """The reading's errors by name; CodeFailure when the result cannot be measured."""
+    variant = Variant("run", (result.code,))
+    case = Case(study.name, study.title, study.path, None, (variant,), (), options=study.options)
+    runs = OneRun(case, job, result, kept)
+    found = {}
+    for name, options in reading.options.items():
+        check = Check(name, reading.measure, "A", result.code, "exact", 1.0, "", options=options)
+        found[name] = MEASURES[reading.measure](View(runs, check, variant)).error
+        if not np.isfinite(found[name]):
+            raise CodeFailure(f"{name} is {found[name]}")
+    return found

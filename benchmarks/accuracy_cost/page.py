@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The page in plain words: every figure in it is computed from the runs."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections import Counter
+from pathlib import Path
+from typing import Sequence
+
+from benchmarks.accuracy_cost.document import Document
+from benchmarks.accuracy_cost.plot import LEVELS, draw
+from benchmarks.accuracy_cost.results import Gain, Median, cheapest, gains
+from benchmarks.accuracy_cost.runs import Omission
+from benchmarks.accuracy_cost.study import Study
+
+#: An error that changes by less than this factor counts as the same.
+SAME = 1.1
+
+
+def percent(error: float) -> str:
+    """An error with two digits."""
+    return f"{100 * error:.2g} %"
+
+
+def seconds(time: float | None) -> str:
+    """A time with two digits."""
+    return "not told" if time is None or not math.isfinite(time) else f"{float(f'{time:.2g}'):g} s"
+
+
+def _way(study: Study, m: Median) -> str:
+    """How a point is computed; settings that the study hardly varies go without saying."""
+    shown = ["law", "elements", "method"] + (
+        ["code"] if m.labels.get("code", "standalone") != "standalone" else []) + (
+        ["instructions"] if m.labels.get("instructions", "best") != "best" else [])
+    words = [f"{m.labels[k]} elements" if k == "elements" else m.labels[k]
+             for k in shown if k in m.labels]
+    return ", ".join(words)
+
+
+def _levels(document: Document, study: Study, points: Sequence[Median]) -> None:
+    """What each level of accuracy costs."""
+    document.heading(3, f"What {', '.join(percent(e) for e in LEVELS[:-1])} and "
+                        f"{percent(LEVELS[-1])} cost")
+    counted = ((lambda m: m.seconds, "the steps alone"),
+               (lambda m: m.whole_seconds, "set-up and steps"))
+    rows = []
+    for level in LEVELS:
+        for time, words in counted:
+            m = cheapest(points, level, time)
+            if m is None:
+                best = min(points, key=lambda p: p.error)
+                rows.append([percent(level), words, "not reached; the least is "
+                             f"{percent(best.error)}: {_way(study, best)}",
+                             percent(best.error), seconds(best.seconds),
+                             seconds(best.set_up_seconds), seconds(best.packing_seconds)])
+            else:
+                rows.append([percent(level), words, _way(study, m), percent(m.error),
+                             seconds(m.seconds), seconds(m.set_up_seconds),
+                             seconds(m.packing_seconds)])
+    document.table(["error at most", "least time for", "way", "error", "steps", "set-up",
+                    "packing, once"], rows)
+    laws = [v.labels["law"] for v in study.axes["law"]]
+    table = []
+    for law in laws:
+        own = [m for m in points if m.labels["law"] == law]
+        if not own:
+            continue
+        row, best = [law], min(own, key=lambda p: p.error)
+        for level in LEVELS:
+            m = cheapest(own, level)
+            row.append("not reached" if m is None else
+                       f"{seconds(m.whole_seconds)} ({m.labels['elements']} elements, "
+                       f"{m.labels['method']})")
+        table.append([*row, f"{percent(best.error)} ({best.labels['elements']} elements)"])
+    document.paragraph("Each law by itself, set-up and steps:")
+    document.table(["law", *(f"{percent(e)}" for e in LEVELS), "least error of all"], table)
+
+
+def _factor(x: float) -> str:
+    return f"× {float(f'{x:.2g}'):g}"
+
+
+def _knobs(document: Document, found: list[Gain]) -> None:
+    """Which knob is cheapest."""
+    document.heading(3, "Which knob is cheapest")
+    better = [g for g in found if g.error_factor < 1 / SAME]
+    same = [g for g in found if 1 / SAME <= g.error_factor <= SAME]
+    worse = [g for g in found if g.error_factor > SAME]
+    sentences = [
+        f"For less error {'the cheapest' if n == 0 else 'the next'} is {g.words}: the error goes "
+        f"{_factor(g.error_factor)} for {_factor(g.whole_factor)} the time."
+        for n, g in enumerate(better[:2])]
+    faster = sorted((g for g in same if g.whole_factor < 1 / SAME), key=lambda g: g.whole_factor)
+    if faster:
+        sentences.append(f"For less time at the same error: {faster[0].words}; the time goes "
+                         f"{_factor(faster[0].whole_factor)}.")
+    idle = [g.words for g in same if g.whole_factor > SAME]
+    if idle:
+        sentences.append("These cost time and move the error little, because it comes from "
+                         f"elsewhere: {'; '.join(idle)}.")
+    document.paragraph(" ".join(sentences))
+    document.table(
+        ["knob", "error", "from – to", "steps", "set-up and steps", "time for half the error",
+         "pairs"],
+        [[g.words, _factor(g.error_factor),
+          f"{_factor(g.least_factor)} – {_factor(g.most_factor)}", _factor(g.steps_factor),
+          _factor(g.whole_factor), _factor(g.price) if g in better else "–", str(g.pairs)]
+         for g in [*better, *same, *worse]])
+    document.paragraph("Medians over all pairs of points that differ in this knob alone; × 1 is no "
+                       "change, time for half the error counts the set-up. The range shows where a knob works: while the error comes from the "
+                       "law or the size of the elements, a finer step cannot help.")
+
+
+def _codes(document: Document, points: Sequence[Median]) -> None:
+    """The same points in other codes."""
+    def rest(m: Median) -> tuple[tuple[str, str], ...]:
+        return tuple((k, v) for k, v in m.labels.items() if k != "code")
+    own = {rest(m): m for m in points if m.labels.get("code") == "standalone"}
+    rows = []
+    for m in points:
+        if m.labels.get("code", "standalone") == "standalone" or rest(m) not in own:
+            continue
+        base = own[rest(m)]
+        rows.append([m.labels["code"], m.labels["law"], m.labels["elements"], percent(m.error),
+                     percent(base.error), seconds(m.seconds), seconds(base.seconds),
+                     f"{m.seconds / base.seconds:.3g}"])
+    if rows:
+        document.heading(3, "The same in other codes")
+        document.table(["code", "law", "elements", "error", "error of the standalone program",
+                        "steps", "steps of the standalone program", "times as long"], rows)
+
+
+def _readings(document: Document, study: Study, points: Sequence[Median]) -> None:
+    """What other readings of the same runs give."""
+    first = {tuple(m.labels.items()): m for m in points if m.reading == study.readings[0].name}
+    for reading in study.readings[1:]:
+        words = []
+        for law in (v.labels["law"] for v in study.axes["law"]):
+            factors = [m.error / first[tuple(m.labels.items())].error for m in points
+                       if m.reading == reading.name and m.labels["law"] == law]
+            if factors:
+                words.append(f"{_factor(statistics.median(factors))} ({law})")
+        document.paragraph(f"Read as “{reading.name}” in place of “{study.readings[0].name}”, the "
+                           f"same runs have other errors, at no cost: {', '.join(words)}.")
+
+
+def _front(document: Document, study: Study, points: Sequence[Median]) -> None:
+    document.heading(3, "The Pareto front")
+    document.paragraph("No other point is both faster and more accurate than these.")
+    document.table(["steps", "error", "from – to", "way", "set-up", "front with set-up too"],
+                   [[seconds(m.seconds), percent(m.error),
+                     f"{percent(m.least_error)} – {percent(m.most_error)}", _way(study, m),
+                     seconds(m.set_up_seconds), "yes" if m.on_whole_front else ""]
+                    for m in sorted(points, key=lambda m: m.seconds) if m.on_front])
+
+
+def _left_out(document: Document, study: Study, omissions: list[Omission]) -> None:
+    document.heading(3, "What is left out")
+    items = []
+    for rule, count in study.left_out():
+        where = "; ".join(f"{key} {' | '.join(values)}" for key, values in rule.where.items())
+        unless = "; ".join(f"{k} {' | '.join(v)}" for k, v in rule.unless.items())
+        items.append(f"{where}{f' (but not {unless})' if unless else ''} "
+                     f"({count} combinations): {rule.why}.")
+    items += list(study.not_covered)
+    items += [f"Run fewer times ({rule.repetitions}): "
+              f"{'; '.join(f'{k} ' + ' | '.join(v) for k, v in rule.where.items())}: {rule.why}."
+              for rule in study.rules if rule.repetitions]
+    document.items(items)
+    document.paragraph("Runs that failed or were refused:" if omissions
+                       else "No run failed, none was refused.")
+    if omissions:
+        counted = Counter((", ".join(f"{k} {v}" for k, v in o.labels.items()), o.reason)
+                          for o in omissions)
+        document.items([f"{name} ({number} times): {reason}"
+                        for (name, reason), number in counted.items()])
+
+
+def write_page(folder: Path, studies: list[Study], points: list[Median],
+               omissions: list[Omission], machine: list[str]) -> None:
+    """Writes page.md, index.html and a picture for each study into a folder."""
+    document = Document("What accuracy costs in time")
+    document.paragraph(
+        "Each point is the median of real runs, one at a time on one core, in shuffled order; a "
+        "repetition has a specimen of its own. Time is the wall time of the steps, as each run's "
+        "summary tells it, without looking at results and writing them. Apart stand the set-up (reading, bonds or tessellation, calibration, "
+        "stable step) and the packing of the specimen, which is made once and shared by all runs. "
+        "runs.csv has every run, points.csv the medians.")
+    document.items(machine)
+    for study in studies:
+        own = [m for m in points if m.study == study.name]
+        document.heading(2, study.title)
+        document.paragraph(f"{study.about} Error: {study.error}.")
+        main = [m for m in own if m.reading == study.readings[0].name]
+        if main:
+            picture = folder / f"{study.name}.png"
+            draw(study, main, picture)
+            document.picture(picture, f"error against wall time, {study.title}")
+            ours = [m for m in main if m.labels.get("code", "standalone") == "standalone"]
+            _levels(document, study, main)
+            _knobs(document, gains(study, ours))
+            _readings(document, study, own)
+            _codes(document, main)
+            _front(document, study, main)
+        _left_out(document, study, [o for o in omissions if o.study == study.name])
+    document.write(folder)

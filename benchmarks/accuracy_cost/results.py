@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Medians of repetitions, the Pareto front, and what each knob gives for its time."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections import defaultdict
+from dataclasses import dataclass, replace
+from typing import Callable, Sequence
+
+from benchmarks.accuracy_cost.runs import Run
+from benchmarks.accuracy_cost.study import Move, Study
+
+
+@dataclass(frozen=True)
+class Median:
+    """All repetitions of one point, read in one way."""
+
+    study: str
+    reading: str
+    labels: dict[str, str]
+    runs: int
+    elements: int
+    error: float
+    least_error: float
+    most_error: float
+    seconds: float  #: of the steps
+    least_seconds: float
+    most_seconds: float
+    set_up_seconds: float | None
+    packing_seconds: float
+    on_front: bool = False  #: no other point of the reading is both as fast and as accurate
+    on_whole_front: bool = False  #: the same with the set-up counted, among points that tell it
+
+    @property
+    def whole_seconds(self) -> float:
+        """Steps and set-up; infinite when the set-up is not told."""
+        return math.inf if self.set_up_seconds is None else self.seconds + self.set_up_seconds
+
+
+@dataclass(frozen=True)
+class Gain:
+    """What a move of a knob does, over all pairs of points that differ in it alone."""
+
+    words: str
+    pairs: int
+    error_factor: float  #: median of error after / before
+    least_factor: float
+    most_factor: float
+    steps_factor: float  #: median of the time of the steps after / before
+    whole_factor: float  #: the same with the set-up
+
+    @property
+    def price(self) -> float:
+        """Factor in whole time for half the error; infinite when the error does not fall."""
+        if self.error_factor >= 1:
+            return math.inf
+        return float(self.whole_factor ** (math.log(2) / -math.log(self.error_factor)))
+
+
+def front(points: Sequence[tuple[float, float]]) -> list[bool]:
+    """For each (time, error): whether no other is at least as good in both and better in one.
+
+    Points that are equal in both are on the front together.
+    """
+    best, flags = math.inf, [False] * len(points)
+    last: tuple[float, float] | None = None
+    for n in sorted(range(len(points)), key=lambda n: points[n]):
+        if not math.isfinite(points[n][0]):
+            continue
+        if points[n][1] < best or points[n] == last:
+            flags[n], best, last = True, points[n][1], points[n]
+    return flags
+
+
+def _median(runs: list[Run], reading: str) -> Median:
+    error = [run.error(reading) for run in runs]
+    seconds = [run.seconds for run in runs]
+    set_up = [run.set_up_seconds for run in runs if run.set_up_seconds is not None]
+    return Median(
+        runs[0].study, reading, runs[0].labels, len(runs), runs[0].elements,
+        statistics.median(error), min(error), max(error),
+        statistics.median(seconds), min(seconds), max(seconds),
+        statistics.median(set_up) if set_up else None,
+        statistics.median(run.packing_seconds for run in runs))
+
+
+def medians(runs: list[Run]) -> list[Median]:
+    """The median of each point and reading, fronts marked within each study and reading."""
+    groups: dict[tuple[str, str, tuple[tuple[str, str], ...]], list[Run]] = defaultdict(list)
+    for run in runs:
+        for reading in run.errors:
+            groups[run.study, reading, tuple(run.labels.items())].append(run)
+    found = [_median(group, reading) for (_, reading, _), group in sorted(groups.items())]
+    marked = []
+    for key in dict.fromkeys((m.study, m.reading) for m in found):
+        members = [m for m in found if (m.study, m.reading) == key]
+        steps = front([(m.seconds, m.error) for m in members])
+        whole = front([(m.whole_seconds, m.error) for m in members])
+        marked += [replace(m, on_front=a, on_whole_front=b)
+                   for m, a, b in zip(members, steps, whole)]
+    return marked
+
+
+def cheapest(points: Sequence[Median], error: float,
+             time: Callable[[Median], float] = lambda m: m.whole_seconds) -> Median | None:
+    """The point of least time whose error is at most this; None when there is none."""
+    reached = [m for m in points if m.error <= error and math.isfinite(time(m))]
+    return min(reached, key=time, default=None)
+
+
+def _pairs(study: Study, move: Move, points: Sequence[Median]) -> list[tuple[Median, Median]]:
+    """Points before and after a move that agree in every other axis."""
+    # The labels that an axis gives may be several; all of them change with its setting.
+    own = {key for value in study.axes[move.axis] for key in value.labels}
+    others = {tuple((k, v) for k, v in m.labels.items() if k not in own): {} for m in points}
+    for m in points:
+        rest = tuple((k, v) for k, v in m.labels.items() if k not in own)
+        others[rest][m.labels[move.axis]] = m
+    return [(group[a], group[b]) for group in others.values() for a, b in move.pairs
+            if a in group and b in group]
+
+
+def gains(study: Study, points: Sequence[Median]) -> list[Gain]:
+    """What each knob of a study gives, the best bargain first; knobs without a pair are left out.
+
+    `points`: those of one study, one reading and the standalone program.
+    """
+    found = []
+    for move in study.moves:
+        pairs = _pairs(study, move, points)
+        if not pairs:
+            continue
+        errors = [after.error / before.error for before, after in pairs]
+        found.append(Gain(
+            move.words, len(pairs), statistics.median(errors), min(errors), max(errors),
+            statistics.median(after.seconds / before.seconds for before, after in pairs),
+            statistics.median(after.whole_seconds / before.whole_seconds
+                              for before, after in pairs)))
+    return sorted(found, key=lambda g: (g.price, g.whole_factor))

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Makes the specimens, runs the points of studies one at a time, and keeps what each run gave."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import random
+import shutil
+import time
+import tomllib
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any, Callable
+
+from benchmarks.accuracy_cost.measures import errors
+from benchmarks.accuracy_cost.study import Point, Study
+from compare.codes.base import Code, Job
+from compare.codes.standalone import Standalone
+from compare.result import CodeFailure
+from compare.runs import replace_words, table_text
+from contrib.yade.prepared import PreparedError, parse_parameters, read_specimen
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run that gave a result."""
+
+    study: str
+    labels: dict[str, str]
+    repetition: int  #: from 1; the seed of its specimen
+    order: int  #: its place in the shuffled order
+    elements: int
+    bonds: int
+    steps: int
+    seconds: float  #: of the steps
+    set_up_seconds: float | None  #: reading, tessellation, calibration, bonds; None: not told
+    packing_seconds: float  #: of the specimen, made once and shared
+    errors: dict[str, dict[str, float]]  #: reading -> name -> relative error
+    summary: dict[str, Any] = field(default_factory=dict)  #: what the program said of itself
+
+    def error(self, reading: str) -> float:
+        """The largest error of a reading."""
+        return max(self.errors[reading].values())
+
+
+@dataclass(frozen=True)
+class Omission:
+    """A run that was meant to be, and gave nothing."""
+
+    study: str
+    labels: dict[str, str]
+    repetition: int
+    reason: str
+
+
+def digest(*words: str) -> str:
+    """A short name for words."""
+    return hashlib.sha256("\0".join(words).encode()).hexdigest()[:16]
+
+
+class Specimens:
+    """Specimens by recipe, each made once, with the time that took."""
+
+    def __init__(self, folder: Path, standalone: Standalone, program: str):
+        """`program` names the very build, so that another one makes its own."""
+        self.folder, self._standalone, self._program = folder, standalone, program
+        self._failed: dict[str, CodeFailure] = {}
+        folder.mkdir(parents=True, exist_ok=True)
+
+    def get(self, scene: str, timeout: float) -> tuple[Path, float]:
+        """File and seconds of the specimen of a scene; CodeFailure when it cannot be made."""
+        recipe = json.dumps(tomllib.loads(scene)["specimen"], sort_keys=True)
+        name = digest(recipe, self._program)
+        if name in self._failed:
+            raise self._failed[name]
+        path, told = self.folder / f"{name}.h5", self.folder / f"{name}.json"
+        if not told.exists():
+            text = self.folder / f"{name}.scene"
+            text.write_text(table_text(scene, "specimen"))
+            start = time.perf_counter()
+            try:
+                self._standalone.call(["specimen", text, "--output", path],
+                                      self.folder / f"{name}.log", timeout)
+            except CodeFailure as failure:
+                self._failed[name] = CodeFailure(f"no specimen: {failure}")
+                raise self._failed[name] from failure
+            told.write_text(json.dumps({"recipe": json.loads(recipe),
+                                        "seconds": time.perf_counter() - start}))
+        return path, float(json.loads(told.read_text())["seconds"])
+
+
+class Bench:
+    """Runs points of studies and remembers them by scene, code and program."""
+
+    def __init__(self, folder: Path, codes: dict[str, Code], resume: bool,
+                 say: Callable[[str], None] = print):
+        """Without `resume` everything in `folder` is measured anew."""
+        standalone = codes["standalone"]
+        assert isinstance(standalone, Standalone)
+        if reason := standalone.missing():
+            raise CodeFailure(reason)
+        if not resume:
+            shutil.rmtree(folder, ignore_errors=True)
+        self.codes, self._standalone, self._say = codes, standalone, say
+        self.program = hashlib.sha256(standalone.program.read_bytes()).hexdigest()[:16]
+        self._kept_runs, self._work = folder / "runs", folder / "work"
+        self._kept_runs.mkdir(parents=True, exist_ok=True)
+        self.specimens = Specimens(folder / "specimens", standalone, self.program)
+        self._series: dict[Any, Any] = {}
+
+    def scene(self, study: Study, point: Point, repetition: int) -> str:
+        """The scene of one run, its specimen still a recipe."""
+        return replace_words(study.template, {**point.replace, "seed = 1": f"seed = {repetition}"})
+
+    def all(self, studies: list[Study], quick: bool, repetitions: int | None,
+            seed: int = 1) -> tuple[list[Run], list[Omission]]:
+        """Everything the studies ask for, in a shuffled order that is always the same."""
+        todo = [(study, point, n + 1) for study in studies for point in study.points(quick)
+                for n in range(min(study.repetitions_of(point), repetitions or 1000))]
+        random.Random(seed).shuffle(todo)
+        self._get_ready(todo)
+        runs: list[Run] = []
+        omissions: list[Omission] = []
+        for order, (study, point, repetition) in enumerate(todo, 1):
+            start = time.perf_counter()
+            try:
+                run = self._run(study, point, repetition, order)
+                runs.append(run)
+                words = f"{run.seconds:.3g} s, error {run.error(study.readings[0].name):.2g}"
+            except CodeFailure as failure:
+                omissions.append(Omission(study.name, point.labels, repetition, str(failure)))
+                words = f"FAILED: {failure}"
+            self._say(f"{order}/{len(todo)} {study.name}, {point.name}: {words} "
+                      f"({time.perf_counter() - start:.1f} s in all)")
+        return runs, omissions
+
+    def _get_ready(self, todo: list[tuple[Study, Point, int]]) -> None:
+        """Builds codes and makes specimens before a run is timed; its runs say what failed."""
+        for name in {point.code for _, point, _ in todo} & set(self.codes):
+            self.codes[name].missing()
+        for study, point, repetition in todo:
+            try:
+                self.specimens.get(self.scene(study, point, repetition), study.timeout)
+            except CodeFailure:
+                continue
+
+    def _run(self, study: Study, point: Point, repetition: int, order: int) -> Run:
+        """One run, or what is kept of it."""
+        text = self.scene(study, point, repetition)
+        kept = self._kept_runs / (digest(
+            text, point.code, json.dumps(point.environment, sort_keys=True), self.program,
+            str(repetition), json.dumps([asdict(r) for r in study.readings]),
+            json.dumps(study.options)) + ".json")
+        if kept.exists():
+            return Run(**{**json.loads(kept.read_text()), "order": order, "labels": point.labels})
+        shutil.rmtree(self._work, ignore_errors=True)
+        self._work.mkdir(parents=True)
+        try:
+            run = self._measure(study, point, repetition, order, text)
+        except (PreparedError, OSError, KeyError, TypeError, ValueError) as error:
+            raise CodeFailure(f"{type(error).__name__}: {error}") from error
+        kept.write_text(json.dumps(asdict(run)))
+        return run
+
+    def _measure(self, study: Study, point: Point, repetition: int, order: int,
+                 text: str) -> Run:
+        code = self.codes.get(point.code)
+        if code is None or (reason := code.missing()):
+            raise CodeFailure(f"{point.code} is missing" + (f": {reason}" if code else ""))
+        specimen, packing = self.specimens.get(text, study.timeout)
+        scene = self._work / "scene.toml"
+        scene.write_text(text.replace(table_text(text, "specimen"),
+                                      f'[specimen]\nfile = "{specimen}"\n\n'))
+        job = self._job(study, point, scene, specimen, text)
+        before = {name: os.environ.get(name) for name in point.environment}
+        os.environ.update(point.environment)
+        try:
+            result = code.run(job, self._work / point.code).check()
+        finally:
+            for name, value in before.items():
+                os.environ.pop(name) if value is None else os.environ.update({name: value})
+        found = {reading.name: errors(study, reading, job, result, self._series)
+                 for reading in study.readings}
+        summary, set_up = self._summary(point)
+        return Run(study.name, point.labels, repetition, order, result.elements, result.bonds,
+                   result.steps, result.wall_seconds, set_up, packing, found, summary)
+
+    def _summary(self, point: Point) -> tuple[dict[str, Any], float | None]:
+        """What the standalone program said of itself, and its set-up, s."""
+        if point.code != "standalone":
+            return {}, None
+        said = json.loads((self._work / point.code / "results" / "summary.json").read_text())
+        wall = said["wall_seconds"]
+        kept = ("solidem", "precision", "threads", "instruction_set", "hardware", "integrator",
+                "time_step", "time_step_limit", "peak_memory_bytes", "wall_seconds")
+        return {k: said[k] for k in kept if k in said}, wall["specimen"] + wall["set-up"]
+
+    def _job(self, study: Study, point: Point, scene: Path, specimen: Path, text: str) -> Job:
+        """The job; other codes also need what `prepare` and `explain` give."""
+        if point.code == "standalone":
+            # The standalone program reads the scene itself; measures look at the body alone.
+            return Job(scene, specimen, specimen, read_specimen(specimen),
+                       parse_parameters({"time_step": {"value": 0}, "steps": 0}), 0, 0,
+                       study.timeout, study.options)
+        prepared = self._work / "prepared.h5"
+        self._standalone.call(["prepare", scene, "--output", prepared], self._work / "prepare",
+                              study.timeout)
+        explained = self._standalone.call(["explain", scene, "--json"], self._work / "explain",
+                                          study.timeout)
+        parameters = parse_parameters(json.loads(explained.read_text()))
+        frames = tomllib.loads(text).get("output", {}).get("frames", 10)
+        return Job(scene, prepared, explained, read_specimen(prepared), parameters,
+                   max(1, parameters.steps // 200), max(1, parameters.steps // max(1, frames)),
+                   study.timeout, study.options)
