@@ -38,7 +38,8 @@ void HeatSource::heated(double time, std::vector<ElementValue>& volumes) const {
     if (p.x < lower_.x || p.x > upper_.x || p.y < lower_.y || p.y > upper_.y || p.z < lower_.z ||
         p.z > upper_.z)
       continue;
-    const double share = share_inside(parameters_.shape->signed_distance(p) / radius_[i]);
+    const double share =
+        share_inside(parameters_.shape->signed_distance(p, radius_[i]) / radius_[i]);
     if (share > 0) volumes.push_back({static_cast<std::int32_t>(i), share * volume_[i]});
   }
 }

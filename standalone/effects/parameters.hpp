@@ -75,7 +75,7 @@ struct ImposedTemperatureParameters {
   std::string name;
   Region region;
   TimeFunction temperature;  ///< K
-  std::string wall;          ///< if given, of this wall, and not of the elements of a region
+  std::string wall{};        ///< if given, of this wall, and not of the elements of a region
 };
 
 /// Heat that flows into the body through a wall.

@@ -15,7 +15,7 @@ struct Material {
   double density = 0;                 ///< ρ_0, kg/m³
   TemperatureFunction specific_heat;  ///< c_p, J/(kg K)
   TemperatureFunction conductivity;   ///< λ, W/(m K)
-  std::string name;                   ///< by which contacts know it; may be empty
+  std::string name{};                 ///< by which contacts know it; may be empty
 };
 
 }  // namespace solidem

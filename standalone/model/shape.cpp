@@ -20,7 +20,16 @@ double corner_distance(const std::array<double, size>& gap) {
   return outside > 0 ? std::sqrt(outside) : inside;
 }
 
-double distance_of(const Shape::Part& part, const Vector& point) {
+/// The radius at which a plane cuts balls as the round surface does, in the mean over their places:
+/// their shares then sum to the volume of the solid. (r²/5 is the mean square distance of a ball's
+/// volume from a plane through its centre.)
+double cutting_radius(const Shape::Part& part, double ball_radius) {
+  const double square = 0.2 * ball_radius * ball_radius;
+  if (part.kind == Shape::Kind::sphere) return std::max(0.0, part.radius - square / part.radius);
+  return std::sqrt(std::max(0.0, part.radius * part.radius - square));
+}
+
+double distance_of(const Shape::Part& part, const Vector& point, double ball_radius) {
   const Vector p = point - part.offset;
   switch (part.kind) {
     case Shape::Kind::sphere:
@@ -28,22 +37,23 @@ double distance_of(const Shape::Part& part, const Vector& point) {
     case Shape::Kind::cylinder: {
       const double along = component(p, part.axis);
       const double across = std::sqrt(std::max(0.0, dot(p, p) - along * along));
-      return corner_distance<2>({across - part.radius, std::fabs(along) - 0.5 * part.length});
+      return corner_distance<2>(
+          {across - cutting_radius(part, ball_radius), std::fabs(along) - 0.5 * part.length});
     }
     case Shape::Kind::box:
       return corner_distance<3>({std::fabs(p.x) - 0.5 * part.size.x,
                                  std::fabs(p.y) - 0.5 * part.size.y,
                                  std::fabs(p.z) - 0.5 * part.size.z});
   }
-  return norm(p) - part.radius;
+  return norm(p) - cutting_radius(part, ball_radius);
 }
 
 }  // namespace
 
-double Shape::signed_distance(const Vector& point) const {
+double Shape::signed_distance(const Vector& point, double ball_radius) const {
   double distance = std::numeric_limits<double>::infinity();
   for (const Part& part : parts) {
-    const double own = distance_of(part, point);
+    const double own = distance_of(part, point, ball_radius);
     distance = part.is_cut_out ? std::max(distance, -own) : std::min(distance, own);
   }
   return distance;

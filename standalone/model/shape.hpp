@@ -25,8 +25,9 @@ struct Shape {
   std::vector<Part> parts;
 
   /// Distance of a point from the surface, negative inside, m. Exact for one part; of several the
-  /// usual bound, exact in sign.
-  double signed_distance(const Vector& point) const;
+  /// usual bound, exact in sign. For `share_inside` of a ball around the point, give its radius, m:
+  /// round surfaces then move inwards a little, so that flat cuts leave the volume as it is.
+  double signed_distance(const Vector& point, double ball_radius = 0) const;
 
   /// Lower and upper corner of a box that holds the solid, m.
   std::pair<Vector, Vector> bounds() const;

@@ -51,7 +51,9 @@ std::vector<std::filesystem::path> scenes_in_the_tree() {
     const std::filesystem::path root = std::filesystem::path(SOLIDEM_SOURCE_DIR) / folder;
     if (!std::filesystem::exists(root)) continue;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
-      if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+      if (entry.path().extension() == ".toml" &&
+          entry.path().parent_path().filename() != "studies")  // of accuracy and cost: no scenes
+        scenes.push_back(entry.path());
   }
   std::sort(scenes.begin(), scenes.end());
   return scenes;

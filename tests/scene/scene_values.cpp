@@ -74,13 +74,13 @@ TEST(Scene, MaterialsKeepOnlyWhatAnEffectNeeds) {
   const Scene bar = read_text_scene(replaced(bar_scene, "density = \"2790 kg/m^3\"\n", thermal));
   ASSERT_EQ(bar.setup.materials.size(), 1U);
   EXPECT_EQ(bar.setup.materials[0].density, 2790);
-  EXPECT_EQ(bar.setup.materials[0].conductivity, 0);
+  EXPECT_EQ(bar.setup.materials[0].conductivity(298), 0);
   EXPECT_EQ(bar.setup.materials[0].region.kind, RegionKind::all);
 
   const Material heat = read_text_scene(heat_scene).setup.materials.at(0);
   EXPECT_EQ(heat.density, 2790);
-  EXPECT_EQ(heat.specific_heat, 880);
-  EXPECT_EQ(heat.conductivity, 134);
+  EXPECT_EQ(heat.specific_heat(298), 880);
+  EXPECT_EQ(heat.conductivity(298), 134);
 }
 
 TEST(Scene, SeveralMaterials) {

@@ -4,6 +4,7 @@
 #ifndef SOLIDEM_TESTS_SUPPORT_SPECIMENS_HPP
 #define SOLIDEM_TESTS_SUPPORT_SPECIMENS_HPP
 
+#include <stdexcept>
 #include <string>
 
 #include "engine/simulation.hpp"
