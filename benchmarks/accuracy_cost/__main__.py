@@ -3,8 +3,8 @@
 
     /usr/bin/python3 -m benchmarks.accuracy_cost [study ...] [--output results/accuracy_cost]
 
-Writes runs.csv, points.csv, omissions.csv, a picture for each study, page.md and index.html. Runs one at
-a time on one core: measure on a machine that does nothing else.
+Writes runs.csv, points.csv, omissions.csv, a picture for each study, page.md and index.html. Runs
+one at a time on one core: measure on a machine that does nothing else.
 """
 
 from __future__ import annotations
@@ -104,7 +104,8 @@ def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python3 -m benchmarks.accuracy_cost",
                                      description=(__doc__ or "").splitlines()[0])
     known = sorted(path.stem for path in (HERE / "studies").glob("*.toml"))
-    parser.add_argument("study", nargs="*", help=f"{', '.join(known)}, or a study file; all if none")
+    parser.add_argument("study", nargs="*",
+                        help=f"{', '.join(known)}, or a study file; all if none")
     parser.add_argument("--output", type=Path, default=Path("results/accuracy_cost"))
     parser.add_argument("--scratch", type=Path, help="folder for specimens and runs, kept for "
                         "--resume (default: in the output folder)")

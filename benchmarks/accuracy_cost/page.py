@@ -11,12 +11,9 @@ from typing import Sequence
 
 from benchmarks.accuracy_cost.document import Document
 from benchmarks.accuracy_cost.plot import LEVELS, draw
-from benchmarks.accuracy_cost.results import Gain, Median, cheapest, gains
+from benchmarks.accuracy_cost.results import SAME, Gain, Median, cheapest, gains
 from benchmarks.accuracy_cost.runs import Omission
 from benchmarks.accuracy_cost.study import Study
-
-#: An error that changes by less than this factor counts as the same.
-SAME = 1.1
 
 
 def percent(error: float) -> str:
@@ -39,27 +36,29 @@ def _way(study: Study, m: Median) -> str:
     return ", ".join(words)
 
 
+def _costs(study: Study, m: Median) -> list[str]:
+    """A way, its error and its times."""
+    return [_way(study, m), percent(m.error), seconds(m.seconds), seconds(m.set_up_seconds),
+            seconds(m.packing_seconds)]
+
+
 def _levels(document: Document, study: Study, points: Sequence[Median]) -> None:
     """What each level of accuracy costs."""
     document.heading(3, f"What {', '.join(percent(e) for e in LEVELS[:-1])} and "
                         f"{percent(LEVELS[-1])} cost")
-    counted = ((lambda m: m.seconds, "the steps alone"),
-               (lambda m: m.whole_seconds, "set-up and steps"))
     rows = []
     for level in LEVELS:
-        for time, words in counted:
-            m = cheapest(points, level, time)
-            if m is None:
-                best = min(points, key=lambda p: p.error)
-                rows.append([percent(level), words, "not reached; the least is "
-                             f"{percent(best.error)}: {_way(study, best)}",
-                             percent(best.error), seconds(best.seconds),
-                             seconds(best.set_up_seconds), seconds(best.packing_seconds)])
-            else:
-                rows.append([percent(level), words, _way(study, m), percent(m.error),
-                             seconds(m.seconds), seconds(m.set_up_seconds),
-                             seconds(m.packing_seconds)])
-    document.table(["error at most", "least time for", "way", "error", "steps", "set-up",
+        by_steps = cheapest(points, level, lambda m: m.seconds)
+        by_whole = cheapest(points, level)
+        if by_steps is None:
+            best = min(points, key=lambda p: p.error)
+            rows.append([percent(level), "not reached, nearest", *_costs(study, best)])
+        elif by_whole is None or by_whole == by_steps:
+            rows.append([percent(level), "steps", *_costs(study, by_steps)])
+        else:
+            rows.append([percent(level), "steps alone", *_costs(study, by_steps)])
+            rows.append([percent(level), "set-up and steps", *_costs(study, by_whole)])
+    document.table(["error at most", "least time of", "way", "error", "steps", "set-up",
                     "packing, once"], rows)
     laws = [v.labels["law"] for v in study.axes["law"]]
     table = []
@@ -82,16 +81,22 @@ def _factor(x: float) -> str:
     return f"× {float(f'{x:.2g}'):g}"
 
 
+def _price(g: Gain) -> str:
+    if not math.isfinite(g.price):
+        return "–"
+    return "none" if g.price == 1 else _factor(g.price)
+
+
 def _knobs(document: Document, found: list[Gain]) -> None:
     """Which knob is cheapest."""
     document.heading(3, "Which knob is cheapest")
-    better = [g for g in found if g.error_factor < 1 / SAME]
-    same = [g for g in found if 1 / SAME <= g.error_factor <= SAME]
+    better = [g for g in found if math.isfinite(g.price)]
+    same = [g for g in found if 1 / SAME < g.error_factor <= SAME]
     worse = [g for g in found if g.error_factor > SAME]
     sentences = [
-        f"For less error {'the cheapest' if n == 0 else 'the next'} is {g.words}: the error goes "
-        f"{_factor(g.error_factor)} for {_factor(g.whole_factor)} the time."
-        for n, g in enumerate(better[:2])]
+        f"{'For less error the cheapest is' if n == 0 else 'Next comes'} {g.words}: the error goes "
+        f"{_factor(g.error_factor)}, the time {_factor(g.whole_factor)}."
+        for n, g in enumerate(better[:3])]
     faster = sorted((g for g in same if g.whole_factor < 1 / SAME), key=lambda g: g.whole_factor)
     if faster:
         sentences.append(f"For less time at the same error: {faster[0].words}; the time goes "
@@ -106,11 +111,12 @@ def _knobs(document: Document, found: list[Gain]) -> None:
          "pairs"],
         [[g.words, _factor(g.error_factor),
           f"{_factor(g.least_factor)} – {_factor(g.most_factor)}", _factor(g.steps_factor),
-          _factor(g.whole_factor), _factor(g.price) if g in better else "–", str(g.pairs)]
+          _factor(g.whole_factor), _price(g), str(g.pairs)]
          for g in [*better, *same, *worse]])
-    document.paragraph("Medians over all pairs of points that differ in this knob alone; × 1 is no "
-                       "change, time for half the error counts the set-up. The range shows where a knob works: while the error comes from the "
-                       "law or the size of the elements, a finer step cannot help.")
+    document.paragraph(
+        "Medians over all pairs of points that differ in this knob alone; × 1 is no change, time "
+        "for half the error counts the set-up. The range shows where a knob works: while the error "
+        "comes from the law or the size of the elements, a finer step cannot help.")
 
 
 def _codes(document: Document, points: Sequence[Median]) -> None:
@@ -142,8 +148,8 @@ def _readings(document: Document, study: Study, points: Sequence[Median]) -> Non
                        if m.reading == reading.name and m.labels["law"] == law]
             if factors:
                 words.append(f"{_factor(statistics.median(factors))} ({law})")
-        document.paragraph(f"Read as “{reading.name}” in place of “{study.readings[0].name}”, the "
-                           f"same runs have other errors, at no cost: {', '.join(words)}.")
+        document.paragraph(f"Read by “{reading.name}” in place of "
+                           f"“{study.readings[0].name}”, the same runs have other errors, at no cost: {', '.join(words)}.")
 
 
 def _front(document: Document, study: Study, points: Sequence[Median]) -> None:
@@ -185,8 +191,8 @@ def write_page(folder: Path, studies: list[Study], points: list[Median],
     document.paragraph(
         "Each point is the median of real runs, one at a time on one core, in shuffled order; a "
         "repetition has a specimen of its own. Time is the wall time of the steps, as each run's "
-        "summary tells it, without looking at results and writing them. Apart stand the set-up (reading, bonds or tessellation, calibration, "
-        "stable step) and the packing of the specimen, which is made once and shared by all runs. "
+        "summary tells it, without looking at results and writing them. Apart stand the set-up "
+        "(reading, bonds or tessellation, calibration, stable step) and the packing of the specimen, which is made once and shared by all runs. "
         "runs.csv has every run, points.csv the medians.")
     document.items(machine)
     for study in studies:

@@ -12,6 +12,9 @@ from typing import Callable, Sequence
 from benchmarks.accuracy_cost.runs import Run
 from benchmarks.accuracy_cost.study import Move, Study
 
+#: An error that changes by less than this factor counts as the same.
+SAME = 1.1
+
 
 @dataclass(frozen=True)
 class Median:
@@ -53,9 +56,12 @@ class Gain:
 
     @property
     def price(self) -> float:
-        """Factor in whole time for half the error; infinite when the error does not fall."""
-        if self.error_factor >= 1:
+        """Factor in whole time for half the error; 1 when less error takes no more time; infinite
+        when the error hardly falls."""
+        if self.error_factor > 1 / SAME:
             return math.inf
+        if self.whole_factor <= 1:
+            return 1.0
         return float(self.whole_factor ** (math.log(2) / -math.log(self.error_factor)))
 
 
@@ -138,4 +144,5 @@ def gains(study: Study, points: Sequence[Median]) -> list[Gain]:
             statistics.median(after.seconds / before.seconds for before, after in pairs),
             statistics.median(after.whole_seconds / before.whole_seconds
                               for before, after in pairs)))
-    return sorted(found, key=lambda g: (g.price, g.whole_factor))
+    # Prices that differ by some hundredths do not differ; then the larger effect comes first.
+    return sorted(found, key=lambda g: (round(g.price, 1), g.error_factor, g.whole_factor))
