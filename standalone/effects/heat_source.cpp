@@ -35,8 +35,8 @@ void HeatSource::heated(double time, std::vector<ElementValue>& volumes) const {
                         parameters_.position[2](time)};
   for (std::size_t i = 0; i < volume_.size(); ++i) {
     const Vector p = centre_[i] - position;
-    if (p.x < lower_.x || p.x > upper_.x || p.y < lower_.y || p.y > upper_.y || p.z < lower_.z ||
-        p.z > upper_.z)
+    if (!(volume_[i] > 0) || p.x < lower_.x || p.x > upper_.x || p.y < lower_.y || p.y > upper_.y ||
+        p.z < lower_.z || p.z > upper_.z)
       continue;
     const double share =
         share_inside(parameters_.shape->signed_distance(p, radius_[i]) / radius_[i]);

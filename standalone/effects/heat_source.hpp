@@ -14,7 +14,8 @@ namespace solidem {
 /// does not jump when the shape passes over it.
 class HeatSource : public HeatLoad {
  public:
-  /// `elements`: of the region, if it has one. `volume`: that each element stands for, m³.
+  /// `elements`: of the region, if it has one. `volume`: that each element stands for, m³;
+  /// one that stands for none takes no heat.
   HeatSource(const HeatSourceParameters& parameters, const std::vector<std::int32_t>& elements,
              std::vector<double> volume, const Specimen& specimen);
 

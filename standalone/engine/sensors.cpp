@@ -8,19 +8,41 @@ namespace solidem {
 
 namespace {
 
-/// Weights of the elements round a point whose weighted sum of values is the value there of a
+/// Elements whose temperature means something: those that conduct, or all if none does.
+std::vector<std::int32_t> conducting_elements(const Model& model) {
+  const std::vector<int> neighbours = model.conductors().coordination();
+  std::vector<std::int32_t> all, conducting;
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    all.push_back(static_cast<std::int32_t>(i));
+    if (neighbours[i] > 0) conducting.push_back(static_cast<std::int32_t>(i));
+  }
+  return conducting.empty() ? all : conducting;
+}
+
+std::int32_t nearest_of(const std::vector<std::int32_t>& elements, const Specimen& specimen,
+                        const Vector& point) {
+  const auto distance = [&](std::int32_t e) {
+    return norm(specimen.position[static_cast<std::size_t>(e)] - point);
+  };
+  return *std::min_element(elements.begin(), elements.end(), [&](std::int32_t a, std::int32_t b) {
+    return distance(a) < distance(b);
+  });
+}
+
+/// Weights of some elements round a point whose weighted sum of values is the value there of a
 /// linear function fitted to them (least squares, nearer elements count more).
-std::vector<ElementValue> fit_weights(const Specimen& specimen, const Vector& point) {
+std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
+                                      const Specimen& specimen, const Vector& point) {
   constexpr std::size_t enough = 12;
   std::vector<ElementValue> round;
   double reach = 4 * mean_radius(specimen);
   while (true) {
     round.clear();
-    for (std::size_t i = 0; i < specimen.size(); ++i) {
-      const double distance = norm(specimen.position[i] - point);
-      if (distance < reach) round.push_back({static_cast<std::int32_t>(i), distance});
+    for (const std::int32_t e : elements) {
+      const double distance = norm(specimen.position[static_cast<std::size_t>(e)] - point);
+      if (distance < reach) round.push_back({e, distance});
     }
-    if (round.size() >= std::min(enough, specimen.size())) break;
+    if (round.size() >= std::min(enough, elements.size())) break;
     reach *= 1.25;
   }
   const auto rows = static_cast<Eigen::Index>(round.size());
@@ -44,8 +66,11 @@ std::vector<ElementValue> fit_weights(const Specimen& specimen, const Vector& po
 
 PointSensor::PointSensor(const Sensor& sensor, const Model& model)
     : sensor_(sensor), element_(nearest_element(model.specimen(), sensor.point)) {
+  if (sensor.quantity != Sensor::Quantity::temperature) return;
+  const std::vector<std::int32_t> elements = conducting_elements(model);
+  element_ = nearest_of(elements, model.specimen(), sensor.point);
   if (sensor.sampling == Sensor::Sampling::fit)
-    weights_ = fit_weights(model.specimen(), sensor.point);
+    weights_ = fit_weights(elements, model.specimen(), sensor.point);
   else
     weights_ = {{element_, 1}};
 }

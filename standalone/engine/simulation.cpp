@@ -216,6 +216,22 @@ std::vector<std::int32_t> Simulation::select_some(const std::string& name, const
   return elements;
 }
 
+std::vector<std::int32_t> Simulation::select_conducting(const std::string& name,
+                                                        const Region& region,
+                                                        const std::vector<int>& neighbours) {
+  std::vector<std::int32_t> elements = select_some(name, region);
+  const bool all_alone = std::all_of(elements.begin(), elements.end(), [&](std::int32_t e) {
+    return neighbours[static_cast<std::size_t>(e)] == 0;
+  });
+  if (all_alone)
+    throw InputError(name + ": none of the " + std::to_string(elements.size()) +
+                     " elements of its region has a neighbour to pass heat to, " +
+                     place(model_.specimen(), static_cast<std::size_t>(elements[0])) +
+                     " for one; expected a larger region, [bonds] tolerance = 0.05, or law = "
+                     "\"voronoi\"");
+  return elements;
+}
+
 void Simulation::add_motion(const std::vector<double>& density) {
   const std::vector<double> mass = represented_mass(model_.specimen(), density);
   auto beams = std::make_unique<Beams>(*setup_.beams, mass, model_);
@@ -249,9 +265,14 @@ void Simulation::add_heat(const std::vector<std::size_t>& material) {
   const auto faces = [&](const char* section, const std::string& name, const std::string& wall) {
     return faces_of(*geometry_, section, name, wall, model_.specimen());
   };
+  const std::vector<int> neighbours = model_.conductors().coordination();
+  // What no heat could leave again takes none: it would only grow hotter and hotter.
+  for (std::size_t i = 0; i < neighbours.size(); ++i)
+    if (neighbours[i] == 0) geometry_->volume[i] = 0;
   for (const HeatSourceParameters& source : setup_.heat_sources) {
     std::vector<std::int32_t> elements;
-    if (source.region) elements = select_some("heat_source." + source.name, *source.region);
+    if (source.region)
+      elements = select_conducting("heat_source." + source.name, *source.region, neighbours);
     add_load(std::make_unique<HeatSource>(source, elements, geometry_->volume, model_.specimen()));
   }
   for (const HeatFluxParameters& flux : setup_.heat_fluxes)
@@ -266,7 +287,8 @@ void Simulation::add_heat(const std::vector<std::size_t>& material) {
   std::map<std::int32_t, std::string> heated;
   for (const ImposedTemperatureParameters& imposed : setup_.temperatures) {
     if (!imposed.wall.empty()) continue;
-    std::vector<std::int32_t> elements = select_some("temperature." + imposed.name, imposed.region);
+    std::vector<std::int32_t> elements =
+        select_conducting("temperature." + imposed.name, imposed.region, neighbours);
     claim(heated, elements, "[[temperatures]]", imposed.name, model_.specimen());
     auto effect =
         std::make_unique<ImposedTemperature>(imposed, std::move(elements), *conduction_, model_);

@@ -97,6 +97,9 @@ class Simulation {
   void advance_heat(const Step& step);
   void choose_time_step(bool force);
   std::vector<std::int32_t> select_some(const std::string& name, const Region& region);
+  /// The same; refuses elements of which none conducts.
+  std::vector<std::int32_t> select_conducting(const std::string& name, const Region& region,
+                                              const std::vector<int>& neighbours);
 
   Setup setup_;
   std::size_t unbonded_ = 0;

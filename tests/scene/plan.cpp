@@ -26,17 +26,26 @@ const Names motion = {"pose",         "velocity",        "angular_velocity",
                       "inverse_mass", "inverse_inertia", "rest_direction",
                       "rest_length"};
 const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};
+const Names hot_and_cold = {"conduction", "temperature cold", "temperature hot"};
 
 /// By the scene's path in the tree. A scene that is not listed here fails the test.
 const std::map<std::string, Expected> expected = {
     {"benchmarks/speed/beams.toml", {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
     {"benchmarks/speed/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
+    {"compare/scenes/annulus.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/cylinder.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
+    {"compare/scenes/plate.toml", {{"conduction", "heat source disc"}, {"conduct"}, heat}},
     {"compare/scenes/simple_cubic.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/tension_bar.toml",
      {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
+    {"compare/scenes/two_materials.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/vibrating_bar.toml", {{"beams"}, {"move_beams"}, motion}},
+    {"compare/scenes/wedge.toml", {hot_and_cold, {"conduct"}, heat}},
     {"docs/examples/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
+    {"docs/examples/moving_source.toml",
+     {{"conduction", "heat source disc", "convection air"},
+      {"conducted_power, conductivity from the temperature"},
+      {"temperature", "inverse_heat_capacity", "conductivity", "conduction_length"}}},
     {"docs/examples/simple_cubic.toml",
      {{"conduction", "temperature cold", "temperature hot"}, {"conduct"}, heat}},
     {"docs/examples/tension.toml", {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},

@@ -34,8 +34,7 @@ TEST_P(Contrast, of_a_million_reaches_the_exact_steady_state) {
   const Model& model = simulation.model();
   for (std::size_t i = 0; i < model.elements(); ++i) {
     const double x = model.specimen().position[i].x;
-    const double exact =
-        x < 1e-3 ? 798 - flux * x / 134 : 298 + flux * (2e-3 - x) / 134e-6;
+    const double exact = x < 1e-3 ? 798 - flux * x / 134 : 298 + flux * (2e-3 - x) / 134e-6;
     // Between the layers the pair conducts by the harmonic mean, half a way in each.
     error = std::max(error, std::abs(model.data(columns::temperature)[i] - exact));
   }

@@ -24,9 +24,8 @@ class LonelyElements : public testing::TestWithParam<std::tuple<HeatLaw, HeatInt
 TEST_P(LonelyElements, follow_their_neighbour_or_stay) {
   const auto [law, integrator] = GetParam();
   auto setup = heat_setup(law, integrator);
-  setup.conduction->area_factor = law == HeatLaw::platonic_calibrated
-                                      ? std::optional<double>(0.8)
-                                      : std::nullopt;
+  setup.conduction->area_factor =
+      law == HeatLaw::platonic_calibrated ? std::optional<double>(0.8) : std::nullopt;
   setup.temperatures.push_back({"hot", face(0, false, 0.6), TimeFunction::constant(798)});
   const bool is_explicit = integrator == HeatIntegratorName::explicit_euler;
   if (!is_explicit) setup.conduction->tolerance = 1e-3;
@@ -46,12 +45,22 @@ TEST_P(LonelyElements, follow_their_neighbour_or_stay) {
   EXPECT_LT(relative_imbalance(simulation), 1e-12);
 }
 
+TEST(LonelyElements, take_no_heat_from_a_source_and_are_no_sensors) {
+  auto setup = heat_setup(HeatLaw::platonic, HeatIntegratorName::explicit_euler);
+  setup.heat_sources.push_back(ball_source(1, {}, 1e11));
+  const Specimen body = chain_and_hermit();
+  setup.sensors.push_back({"hermit", body.position.back()});
+  Simulation simulation(setup, body);
+  simulation.advance(1000);
+  EXPECT_EQ(simulation.model().data(columns::temperature)[7], 298);
+  EXPECT_GT(value_of(simulation.observe(), "sensor.hermit.temperature"), 299);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Laws, LonelyElements,
     testing::Combine(testing::Values(HeatLaw::platonic, HeatLaw::platonic_calibrated),
                      testing::Values(HeatIntegratorName::explicit_euler, HeatIntegratorName::rkl2,
-                                     HeatIntegratorName::implicit,
-                                     HeatIntegratorName::automatic)));
+                                     HeatIntegratorName::implicit, HeatIntegratorName::automatic)));
 
 }  // namespace
 }  // namespace solidem

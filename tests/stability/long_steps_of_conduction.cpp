@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // RKL2 and the implicit method in steps of 100 times the explicit limit, without a tolerance that
-// would shorten them: they stay in the range of the temperatures, end where the explicit method ends
-// and keep the balance.
+// would shorten them: they stay in the range of the temperatures, end where the explicit method
+// ends and keep the balance.
 #include <gtest/gtest.h>
 
 #include "support/heat.hpp"
@@ -34,11 +34,11 @@ TEST_P(LongSteps, of_a_hundred_explicit_limits_hold) {
   while (reference.time() < simulation.time()) reference.advance(1);
   double difference = 0;
   for (std::size_t i = 0; i < simulation.model().elements(); ++i)
-    difference = std::max(difference,
-                          std::abs(simulation.model().data(columns::temperature)[i] -
-                                   reference.model().data(columns::temperature)[i]));
-  std::printf("  %s, %s: %.2g K outside of the range, %.2g K from explicit at the end, balance %.1e\n",
-              name_of(law), label(integrator), worst, difference, relative_imbalance(simulation));
+    difference = std::max(difference, std::abs(simulation.model().data(columns::temperature)[i] -
+                                               reference.model().data(columns::temperature)[i]));
+  std::printf(
+      "  %s, %s: %.2g K outside of the range, %.2g K from explicit at the end, balance %.1e\n",
+      name_of(law), label(integrator), worst, difference, relative_imbalance(simulation));
   EXPECT_LT(worst, 5);
   EXPECT_LT(difference, 1);
   EXPECT_LT(relative_imbalance(simulation), 1e-12);

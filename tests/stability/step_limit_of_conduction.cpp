@@ -20,8 +20,7 @@ bool grows(Setup setup, const Specimen& body, double time_step) {
     temperature[i] = 298 + (i * 2654435761u >> 7 & 1 ? 1 : -1);
   for (int n = 0; n < 4000; ++n) {
     simulation.advance(1);
-    if (n % 100 == 0 && extremes(simulation).second - extremes(simulation).first > 100)
-      return true;
+    if (n % 100 == 0 && extremes(simulation).second - extremes(simulation).first > 100) return true;
   }
   return extremes(simulation).second - extremes(simulation).first > 2;
 }

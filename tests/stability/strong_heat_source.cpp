@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// 1e11 W/m³, as of a welding tool: some 40000 K a second. What comes in is power × time, and it stays
-// positive and finite also where nothing but conduction holds it back.
+// 1e11 W/m³, as of a welding tool: some 40000 K a second. What comes in is power × time, and it
+// stays positive and finite also where nothing but conduction holds it back.
 #include <gtest/gtest.h>
 
 #include "support/heat.hpp"

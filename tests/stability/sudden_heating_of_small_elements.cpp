@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A step of 500 K on a packing of elements of 1 µm: no temperature leaves the range between the two,
-// by any integrator, and the heat balance closes.
+// A step of 500 K on a packing of elements of 1 µm: no temperature leaves the range between the
+// two, by any integrator, and the heat balance closes.
 #include <gtest/gtest.h>
 
 #include "support/heat.hpp"

@@ -57,8 +57,8 @@ inline std::pair<double, double> extremes(const Simulation& simulation) {
 /// |heat balance| as part of the heat that came in or is there.
 inline double relative_imbalance(const Simulation& simulation) {
   const HistoryRow row = simulation.observe();
-  const double scale = std::max(std::abs(value_of(row, "heat_input")),
-                                std::abs(value_of(row, "thermal_energy")));
+  const double scale =
+      std::max(std::abs(value_of(row, "heat_input")), std::abs(value_of(row, "thermal_energy")));
   return std::abs(value_of(row, "heat_balance")) / scale;
 }
 
