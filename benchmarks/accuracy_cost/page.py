@@ -149,7 +149,8 @@ def _readings(document: Document, study: Study, points: Sequence[Median]) -> Non
             if factors:
                 words.append(f"{_factor(statistics.median(factors))} ({law})")
         document.paragraph(f"Read by “{reading.name}” in place of "
-                           f"“{study.readings[0].name}”, the same runs have other errors, at no cost: {', '.join(words)}.")
+                           f"“{study.readings[0].name}”, the same runs have other errors, at no "
+                           f"cost: {', '.join(words)}.")
 
 
 def _front(document: Document, study: Study, points: Sequence[Median]) -> None:
@@ -192,8 +193,8 @@ def write_page(folder: Path, studies: list[Study], points: list[Median],
         "Each point is the median of real runs, one at a time on one core, in shuffled order; a "
         "repetition has a specimen of its own. Time is the wall time of the steps, as each run's "
         "summary tells it, without looking at results and writing them. Apart stand the set-up "
-        "(reading, bonds or tessellation, calibration, stable step) and the packing of the specimen, which is made once and shared by all runs. "
-        "runs.csv has every run, points.csv the medians.")
+        "(reading, bonds or tessellation, calibration, stable step) and the packing of the "
+        "specimen, which is made once and shared by all runs. runs.csv has every run, points.csv the medians.")
     document.items(machine)
     for study in studies:
         own = [m for m in points if m.study == study.name]
