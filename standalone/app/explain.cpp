@@ -201,6 +201,11 @@ void print(const Json& report) {
   fmt::print("\nTime step {:.5g} s = {:.3g} x {:.5g} s ({}); {}\n", dt["value"].get<double>(),
              dt["ratio"].get<double>(), dt["bound"].get<double>(),
              dt["criterion"].get<std::string>(), limit);
+  if (report["laws"].contains("conduction")) {
+    const Json& heat = report["laws"]["conduction"];
+    fmt::print("Conduction by the law {}, areas times {:.4g}\n", heat["law"].get<std::string>(),
+               heat["area_factor"].get<double>());
+  }
   if (report.contains("integration"))
     fmt::print("Heat in time: {}\n", report["integration"].get<std::string>());
   fmt::print("Cost, measured here on {} thread(s), {}: {:.3g} ms a step, {:.3g} ns a bond-step\n",

@@ -14,6 +14,7 @@
 #include "output/progress.hpp"
 #include "scene/body.hpp"
 #include "scene/fingerprint.hpp"
+#include "solve/heat_integrator.hpp"
 
 namespace solidem {
 
@@ -71,6 +72,8 @@ int run_scene(const RunCommand& command) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const bool completed = run(simulation, options);
+  if (const HeatIntegrator* integrator = simulation.heat_integrator())
+    fmt::print("heat in time: {}\n", integrator->explanation());
   if (completed) return 0;
   fmt::print("interrupted at step {}; go on with: solidem run {} --output {} --resume\n",
              simulation.step(), command.scene, options.directory);

@@ -216,6 +216,9 @@ class Recorder {
     summary["wall_seconds"] = seconds_;
     summary["nanoseconds_per_bond_step"] =
         bond_steps > 0 ? nlohmann::ordered_json(seconds_["steps"] * 1e9 / bond_steps) : nullptr;
+    if (const auto& conduction = simulation_.setup().conduction)
+      summary["conduction"] = {{"law", name_of(conduction->law)},
+                               {"area_factor", simulation_.area_factor()}};
     if (const HeatIntegrator* integrator = simulation_.heat_integrator())
       summary["integrator"] = figures_of(*integrator);
     summary["peak_memory_bytes"] = peak_memory_bytes();
