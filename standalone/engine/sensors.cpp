@@ -35,7 +35,7 @@ std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
                                       const Specimen& specimen, const Vector& point) {
   constexpr std::size_t enough = 12;
   std::vector<ElementValue> round;
-  double reach = 4 * mean_radius(specimen);
+  double reach = 3 * mean_radius(specimen);  // a wider ball sees more of a field's curvature
   while (true) {
     round.clear();
     for (const std::int32_t e : elements) {

@@ -167,6 +167,7 @@ void compact(SoftSpheres& spheres, double fraction, double largest_factor,
   };
   double factor = 1.0, step = 1.0, last_change = 0.0;
   spheres.relax(precision, most_steps, tell(0.0, 0.8));
+  while (spheres.separate_coinciding() > 0) spheres.relax(precision, most_steps);
   for (int round = 0; round < 40; ++round) {
     const double by_contacts =
         (target_coordination - spheres.coordination_number()) / contacts_per_fraction;

@@ -250,6 +250,25 @@ int SoftSpheres::relax(double precision, int most_steps,
   return most_steps;
 }
 
+int SoftSpheres::separate_coinciding() {
+  int found = 0;
+  for (std::size_t i = 0; i < size(); ++i)
+    for (std::int32_t k = first_neighbour_[i]; k < first_neighbour_[i + 1]; ++k) {
+      const auto j = static_cast<std::size_t>(neighbour_[k]);
+      if (j < i) continue;
+      const Vector chord = nearest_image(ball_[j].centre - ball_[i].centre);
+      const double distance = norm(chord), reach = ball_[i].radius + ball_[j].radius;
+      if (distance > 0.25 * reach) continue;
+      // To the distance at which they push each other most, half their reach.
+      const Vector along = distance > 0 ? (1 / distance) * chord : Vector{1, 0, 0};
+      ball_[i].centre -= (0.25 * reach) * along;
+      ball_[j].centre += (0.25 * reach) * along;
+      ++found;
+    }
+  if (found > 0) build_lists();
+  return found;
+}
+
 double SoftSpheres::coordination_number() const {
   return static_cast<double>(sums_.contacts) / static_cast<double>(size());
 }

@@ -31,6 +31,10 @@ class SoftSpheres {
   /// given, is told now and then the fraction of the way to that precision on a logarithmic scale.
   int relax(double precision, int most_steps, const std::function<void(double)>& progress = {});
 
+  /// Pulls apart pairs that coincide, nearly: their force vanishes with their distance, and what is
+  /// around holds the two as if they were one. Returns how many there were.
+  int separate_coinciding();
+
   /// Contacts between spheres: twice their number per sphere, and the mean overlap in mean
   /// diameters.
   double coordination_number() const;
