@@ -33,7 +33,8 @@ def profile_error(view: View) -> Measured:
     """Largest error of a temperature profile against the exact field, as part of its largest step.
 
     Profile: the mean over the elements in each of `bins` (40) equal parts of the coordinate; the
-    exact field is taken at the same elements. Options: `fourier` (α t / L²), `bins`.
+    exact field is taken at the same elements. Options: `fourier` (α t / L²), `bins`; for the plot
+    `colour`, and `first` (true: of the lines of a variant, the one that the legend names).
     """
     exact = solution(view.case.options)
     frame, count = _frame(view, exact), int(view.check.options.get("bins", 40))
@@ -47,13 +48,16 @@ def profile_error(view: View) -> Measured:
     mean = np.bincount(part, field, count) / members
     middle = (np.arange(count) + 0.5) / count
     fourier = frame.time / exact.time_scale
-    time = f"αt/L² = {fourier:.3g}"
-    plot = Plot("profile", exact.label, "temperature, K",
-                [Series(f"exact, {time}", middle, mean, "-"),
-                 Series(f"{view.variant.name}, {time}", middle, found, ".",
-                        colour_of_previous=True)],
-                below=[Series("", middle, 100 * (found - mean) / exact.scale, ".-")],
-                below_label="error, % of the step")
+    time, options = f"αt/L² = {fourier:.3g}", view.check.options
+    colour, mark = options.get("colour", "C0"), view.variant.values.get("mark", ".")
+    # A label that begins with _ stays out of the legend.
+    name = view.variant.name if options.get("first", True) else f"_{view.variant.name}, {time}"
+    plot = Plot(options.get("title", "profile"), exact.label, "temperature, K",
+                [Series(f"exact, {time}", middle, mean, f"{colour}-"),
+                 Series(name, middle, found, f"{colour}{mark}")],
+                below=[Series(f"_{view.variant.name}, {time}", middle,
+                              100 * np.abs(found - mean) / exact.scale, f"{colour}{mark}-")],
+                below_label="error, % of the step", below_log=True)
     return Measured(float(np.abs(found - mean).max() / exact.scale),
                     f"αt/L² = {fourier:.4f}, at least {members.min()} elements a bin", plot)
 
@@ -142,17 +146,18 @@ def _reference_at(view: View, time: Floats) -> Floats:
     if view.check.reference == "exact series":
         return _series_at(view, time)
     result = view.runs.result(view.option("reference_variant"), view.check.reference)
-    name = view.option("column")
+    name = view.check.options.get("reference_column", view.option("column"))
     if name not in result.history:
         raise CodeFailure(f"{result.code} has no column {name} in its history")
     return np.interp(time, result.history["time"], result.history[name]) - ZERO_CELSIUS
 
 
-def _largest(time: Floats, found: Floats, right: Floats) -> tuple[float, str]:
+def _largest(view: View, time: Floats, found: Floats, right: Floats) -> tuple[float, str]:
     """Relative error where the difference is largest (Terreros 2013, section 2.5.2), and words."""
     difference = np.abs(found - right)
     worst = int(difference.argmax())
-    return (float(difference[worst] / right[worst]),
+    scale = right.max() if view.check.options.get("relative_to") == "largest" else right[worst]
+    return (float(difference[worst] / scale),
             f"largest difference {difference[worst]:.3g} K at {time[worst]:.3g} s; mean "
             f"{difference.mean() / right.mean():.2g} of the mean temperature")
 
@@ -173,12 +178,13 @@ def _curves(view: View, label: str, time: Floats, found: Floats, right: Floats,
 def error_of_mean(view: View) -> Measured:
     """Relative error of the mean of several specimens where it differs most from the reference.
 
-    Reference: "exact series" of the moving disc, or a code, run in `reference_variant`. Options:
-    `column`, `point` (x, y in m), `label`, `title`.
+    Reference: "exact series" of the moving disc, or a code, run in `reference_variant`, its
+    `reference_column`. Options: `column`, `point` (x, y in m), `label`, `title`; `relative_to` =
+    "largest": to the reference's largest value instead.
     """
     time, rows = _histories(view)
     mean, right = rows.mean(axis=0), _reference_at(view, time)
-    error, words = _largest(time, mean, right)
+    error, words = _largest(view, time, mean, right)
     label = view.check.options.get("label", view.check.quantity)
     return Measured(error, words, _curves(view, label, time, mean, right, rows))
 
@@ -188,9 +194,18 @@ def history_error(view: View) -> Measured:
     """As `error_of_mean`, of a single run."""
     time, values = _history(view)
     right = _reference_at(view, time)
-    error, words = _largest(time, values - ZERO_CELSIUS, right)
+    error, words = _largest(view, time, values - ZERO_CELSIUS, right)
     label = view.check.options.get("label", view.check.code)
     return Measured(error, words, _curves(view, label, time, values - ZERO_CELSIUS, right))
+
+
+@measure
+def disc_heat(view: View) -> Measured:
+    """Relative error of the heat that the moving disc has given at the end (option `column`)."""
+    time, heat = _history(view)
+    plate = _disc(view.case.options)
+    exact = plate.power_density * np.pi * plate.disc_radius**2 * plate.thickness * time[-1]
+    return Measured(abs(float(heat[-1] / exact) - 1), f"{heat[-1]:.6g} J of {exact:.6g} J")
 
 
 @measure

@@ -60,7 +60,12 @@ def _figure(plot: Plot) -> Figure:
     if plot.below:
         axes, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2.2, 1))
         _lines(lower, plot.below)
-        lower.axhline(0, color="k", linewidth=0.6)
+        if plot.below_log:
+            # Four powers of ten: what is smaller has no part in the error.
+            largest = max(float(np.max(series.y)) for series in plot.below)
+            lower.set(yscale="log", ylim=(1e-4 * largest, 3 * largest))
+        else:
+            lower.axhline(0, color="k", linewidth=0.6)
         lower.set(xlabel=plot.x_label, ylabel=plot.below_label)
     else:
         axes = figure.subplots()

@@ -36,6 +36,7 @@ class Plot:
     figure: str = ""  #: file name, when it is to be a picture of its own
     below: list[Series] = field(default_factory=list)  #: a smaller panel under it
     below_label: str = ""
+    below_log: bool = False
 
 
 @dataclass
