@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "effects/heat_exchange.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "engine/heat.hpp"
 #include "scene/body.hpp"
 #include "solve/heat_integrator.hpp"
 
@@ -64,7 +65,7 @@ Json conduction_of(const Simulation& simulation) {
           {"initial_temperature", setup.conduction->initial_temperature},
           {"conductivity", to_json(setup.materials[0].conductivity)},
           {"specific_heat_capacity", to_json(setup.materials[0].specific_heat)},
-          {"area_factor", simulation.area_factor()},
+          {"area_factor", simulation.heat()->area_factor()},
           {"integrator", name_of(setup.conduction->integrator)}};
 }
 
@@ -88,7 +89,8 @@ Json laws_of(const Simulation& simulation) {
 Json heat_loads_of(const Simulation& simulation, Json report) {
   report["exchanges"] = Json::array();
   report["powers"] = Json::array();
-  for (const HeatLoad* load : simulation.heat_loads()) {
+  if (simulation.heat() == nullptr) return report;
+  for (const HeatLoad* load : simulation.heat()->loads()) {
     const std::string name = load->column();
     if (const auto* exchange = dynamic_cast<const HeatExchange*>(load))
       report["exchanges"].push_back(
@@ -165,8 +167,8 @@ Json report_of(const Scene& scene, Simulation& simulation) {
   report["instruction_set"] = kernels().instruction_set;
   report["laws"] = laws_of(simulation);
   report["density"] = simulation.setup().materials[0].density;
-  if (simulation.heat_integrator() != nullptr)
-    report["integration"] = simulation.heat_integrator()->explanation();
+  if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
+    report["integration"] = heat->integrator()->explanation();
   return heat_loads_of(simulation, loads_of(simulation.setup(), std::move(report)));
 }
 

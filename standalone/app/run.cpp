@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "engine/heat.hpp"
 #include "output/progress.hpp"
 #include "scene/body.hpp"
 #include "scene/fingerprint.hpp"
@@ -72,8 +73,8 @@ int run_scene(const RunCommand& command) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const bool completed = run(simulation, options);
-  if (const HeatIntegrator* integrator = simulation.heat_integrator())
-    fmt::print("heat in time: {}\n", integrator->explanation());
+  if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
+    fmt::print("heat in time: {}\n", heat->integrator()->explanation());
   if (completed) return 0;
   fmt::print("interrupted at step {}; go on with: solidem run {} --output {} --resume\n",
              simulation.step(), command.scene, options.directory);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "effects/kernels/kernels.hpp"
+#include "engine/heat.hpp"
 #include "model/error.hpp"
 #include "output/checkpoint.hpp"
 #include "output/disk.hpp"
@@ -216,11 +217,11 @@ class Recorder {
     summary["wall_seconds"] = seconds_;
     summary["nanoseconds_per_bond_step"] =
         bond_steps > 0 ? nlohmann::ordered_json(seconds_["steps"] * 1e9 / bond_steps) : nullptr;
-    if (const auto& conduction = simulation_.setup().conduction)
-      summary["conduction"] = {{"law", name_of(conduction->law)},
-                               {"area_factor", simulation_.area_factor()}};
-    if (const HeatIntegrator* integrator = simulation_.heat_integrator())
-      summary["integrator"] = figures_of(*integrator);
+    if (const Heat* heat = simulation_.heat()) {
+      summary["conduction"] = {{"law", name_of(simulation_.setup().conduction->law)},
+                               {"area_factor", heat->area_factor()}};
+      if (heat->integrator() != nullptr) summary["integrator"] = figures_of(*heat->integrator());
+    }
     summary["peak_memory_bytes"] = peak_memory_bytes();
     summary["bytes_per_element"] =
         static_cast<double>(model.bytes()) / static_cast<double>(model.elements());

@@ -10,18 +10,14 @@
 
 #include "effects/effect.hpp"
 #include "engine/plan.hpp"
+#include "engine/selections.hpp"
 #include "engine/setup.hpp"
 
 namespace solidem {
 
 class Beams;
-class Conduction;
-class HeatedModel;
-class HeatIntegrator;
-class HeatLoad;
-class ImposedTemperature;
+class Heat;
 struct ConductionGeometry;
-struct HeatIntegratorStatistics;
 
 /// The time step of a simulation and where it comes from.
 struct TimeStepChoice {
@@ -47,7 +43,9 @@ class Simulation {
   /// region without elements, two grips that share elements, a time step beyond the limit.
   Simulation(const Setup& setup, Specimen specimen, bool force = false);
   ~Simulation();
-  Simulation(Simulation&&) noexcept;
+  /// Effects know the model by its place.
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
 
   /// Runs so many time steps.
   void advance(std::int64_t steps);
@@ -67,20 +65,13 @@ class Simulation {
   const Model& model() const { return model_; }
   const Plan& plan() const { return plan_; }
   const Setup& setup() const { return setup_; }
-  /// Elements that a region of the setup selects: "grip.NAME", "temperature.NAME", "gauge",
-  /// "sensor.NAME".
-  const std::map<std::string, std::vector<std::int32_t>>& selections() const { return selections_; }
+  /// Elements that the regions of the setup select.
+  const Selections& selections() const { return selections_; }
   /// Elements without a bond: free to move, with nothing to move them, and outside of all measures.
   std::size_t unbonded() const { return unbonded_; }
 
-  /// By what conduction's areas were scaled (law platonic-calibrated); else 1.
-  double area_factor() const { return area_factor_; }
-  /// What each element stands for in conduction, as its law has it.
-  ConductionGeometry conduction_geometry() const;
-  /// What carries heat through time; none where conduction takes explicit steps by itself.
-  const HeatIntegrator* heat_integrator() const { return integrator_.get(); }
-  const std::vector<HeatLoad*>& heat_loads() const { return heat_loads_; }
-  const Conduction* conduction() const { return conduction_; }
+  /// What conducts and heats; none without conduction.
+  const Heat* heat() const { return heat_.get(); }
 
   /// Everything that is needed to go on exactly: dynamic columns and the effects' sums, by name.
   std::map<std::string, std::vector<double>> save() const;
@@ -91,34 +82,22 @@ class Simulation {
   void add_motion(const std::vector<double>& density);
   /// Makes the model: bonds and, if heat passes elsewhere, its conductors.
   Model make_model(Specimen specimen);
-  void add_heat(const std::vector<std::size_t>& material);
-  void add_heat_integrator();
   void add_observers();
-  void advance_heat(const Step& step);
   void choose_time_step(bool force);
-  std::vector<std::int32_t> select_some(const std::string& name, const Region& region);
-  /// The same; refuses elements of which none conducts.
-  std::vector<std::int32_t> select_conducting(const std::string& name, const Region& region,
-                                              const std::vector<int>& neighbours);
+  std::vector<Effect*> all_effects() const;
 
   Setup setup_;
   std::size_t unbonded_ = 0;
-  double area_factor_ = 1;
   std::unique_ptr<ConductionGeometry> geometry_;  ///< while the simulation is built
-  std::map<std::string, std::vector<std::int32_t>> selections_;
+  Selections selections_;
   Model model_;
   Plan plan_;
   TimeStepChoice time_step_;
   std::int64_t step_ = 0;
-  std::vector<std::unique_ptr<Effect>> effects_;
+  std::vector<std::unique_ptr<Effect>> effects_;  ///< of motion
   std::vector<std::unique_ptr<Observer>> observers_;
   Beams* beams_ = nullptr;
-  Conduction* conduction_ = nullptr;
-  std::vector<HeatLoad*> heat_loads_;
-  std::vector<ImposedTemperature*> imposed_temperatures_;
-  std::unique_ptr<HeatedModel> heated_;
-  std::unique_ptr<HeatIntegrator> integrator_;
-  double heat_limit_ = 0;  ///< longest stable explicit step of conduction, s
+  std::unique_ptr<Heat> heat_;
   double initial_energy_ = 0;
 };
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "effects/conduction.hpp"
+#include "engine/heat.hpp"
 #include "output/hdf5.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/report.hpp"
@@ -52,8 +52,12 @@ std::vector<double> of_all(const std::vector<ElementValue>& values,
 /// that conduct.
 void write_conduction(Hdf5File& file, const Simulation& simulation) {
   const Model& model = simulation.model();
-  const ConductionGeometry geometry = simulation.conduction_geometry();
+  const Heat& heat = *simulation.heat();
   const std::vector<Pair> pairs = model.conductors().pairs();
+  Specimen conducting = model.specimen();
+  conducting.bonds = pairs;
+  const ConductionGeometry geometry =
+      scaled_geometry(*simulation.setup().conduction, conducting, heat.area_factor());
   const double* temperature = model.data(columns::temperature);
   std::vector<double> area, distance, conductance(pairs.size());
   std::vector<std::int32_t> numbers;
@@ -63,7 +67,7 @@ void write_conduction(Hdf5File& file, const Simulation& simulation) {
     distance.push_back(path.distance);
     numbers.insert(numbers.end(), {pair.i, pair.j});
   }
-  simulation.conduction()->for_each_conductance(
+  heat.conduction().for_each_conductance(
       model, temperature, [&](std::int32_t i, std::int32_t j, double value) {
         const auto at = std::lower_bound(pairs.begin(), pairs.end(), Pair{i, j}) - pairs.begin();
         conductance[static_cast<std::size_t>(at)] = value;
@@ -84,7 +88,7 @@ void write_conduction(Hdf5File& file, const Simulation& simulation) {
   if (!geometry.transmission_area.empty())
     group.write("transmission_area", geometry.transmission_area);
   const Hdf5Group exchanges = group.make_group("exchanges"), powers = group.make_group("powers");
-  for (const HeatLoad* load : simulation.heat_loads()) {
+  for (const HeatLoad* load : heat.loads()) {
     std::vector<ElementValue> values;
     load->conductances(0, temperature, values);
     const bool exchanged = !values.empty();

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "engine/heat.hpp"
 #include "model/error.hpp"
 #include "support/heat.hpp"
 
@@ -68,16 +69,16 @@ TEST(CalibratedConduction, conducts_and_stores_heat_as_the_material_does) {
   const Specimen body = packed_bar();
   settle(setup);
   Simulation simulation(setup, body);
-  EXPECT_GT(simulation.area_factor(), 0.7);
-  EXPECT_LT(simulation.area_factor(), 1);
+  EXPECT_GT(simulation.heat()->area_factor(), 0.7);
+  EXPECT_LT(simulation.heat()->area_factor(), 1);
   double capacity = 0;
   for (std::size_t i = 0; i < body.size(); ++i)
     capacity += 1 / simulation.model().data(columns::inverse_heat_capacity)[i];
   EXPECT_NEAR(capacity / (2790 * 880 * 3e-9), 1, 1e-12);
   // With the factor already in, a second test finds nothing to correct.
-  setup.conduction->area_factor = simulation.area_factor();
+  setup.conduction->area_factor = simulation.heat()->area_factor();
   const Simulation again(setup, body);
-  EXPECT_EQ(again.area_factor(), simulation.area_factor());
+  EXPECT_EQ(again.heat()->area_factor(), simulation.heat()->area_factor());
 }
 
 TEST(TemperatureDependence, of_conductivity_follows_kirchhoffs_transform) {
