@@ -133,7 +133,8 @@ TEST(Contact, between_two_bodies_makes_the_temperature_jump) {
   Region left, right;
   left.kind = right.kind = Region::Kind::box;
   left.upper.x = right.lower.x = 1e-3;
-  setup.materials = {{left, 2790, 880, 134, "a"}, {right, 7800, 500, 50, "b"}};
+  setup.materials = {material_of(2790, 880, 134, left, "a"),
+                     material_of(7800, 500, 50, right, "b")};
   setup.conduction->contacts.push_back({"b", "a", 2e4});
   setup.temperatures = {held_wall("x_low", 400), held_wall("x_high", 300)};
   settle(setup);

@@ -16,7 +16,7 @@ TEST_P(Contrast, of_a_million_reaches_the_exact_steady_state) {
   Region left, right;
   left.kind = right.kind = Region::Kind::box;
   left.upper.x = right.lower.x = 1e-3;  // between the fifth and the sixth layer
-  setup.materials = {{left, 2790, 880, 134}, {right, 2790, 880, 134e-6}};
+  setup.materials = {material_of(2790, 880, 134, left), material_of(2790, 880, 134e-6, right)};
   setup.temperatures = {held_wall("x_low", 798), held_wall("x_high", 298)};
   setup.conduction->tolerance = 0.01;
   setup.run.steps.reset();

@@ -41,10 +41,22 @@ inline Specimen jittered(const std::string& lattice, std::array<int, 3> cells, d
   return specimen;  // bonds stay those of the crystal
 }
 
+/// A material, of all elements unless a region is given.
+inline Material material_of(double density, double specific_heat, double conductivity,
+                            const Region& region = {}, const std::string& name = "") {
+  Material material;
+  material.region = region;
+  material.density = density;
+  material.specific_heat = specific_heat;
+  material.conductivity = conductivity;
+  material.name = name;
+  return material;
+}
+
 /// Aluminium, elastic beams.
 inline Setup elastic_setup() {
   Setup setup;
-  setup.materials.push_back({{}, 2790, 880, 134});
+  setup.materials.push_back(material_of(2790, 880, 134));
   BeamParameters beams;
   beams.young_modulus = 3.5e12;
   beams.shear_modulus = 1.35e12;
@@ -57,7 +69,7 @@ inline Setup elastic_setup() {
 /// Aluminium at 298 K, conduction only.
 inline Setup thermal_setup() {
   Setup setup;
-  setup.materials.push_back({{}, 2790, 880, 134});
+  setup.materials.push_back(material_of(2790, 880, 134));
   setup.conduction = ConductionParameters{};
   setup.conduction->initial_temperature = 298;
   setup.run.steps = 0;
