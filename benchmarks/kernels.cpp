@@ -42,9 +42,17 @@ void time_steps(benchmark::State& state, const Setup& setup) {
   state.SetLabel(kernels().instruction_set);
 }
 
+Material aluminium() {
+  Material material;
+  material.density = 2790;
+  material.specific_heat = 880;
+  material.conductivity = 134;
+  return material;
+}
+
 void beams(benchmark::State& state) {
   Setup setup;
-  setup.materials.push_back({{}, 2790, 880, 134});
+  setup.materials.push_back(aluminium());
   BeamParameters parameters;
   parameters.young_modulus = 3.5e12;
   parameters.shear_modulus = 1.35e12;
@@ -56,7 +64,7 @@ void beams(benchmark::State& state) {
 
 void conduction(benchmark::State& state) {
   Setup setup;
-  setup.materials.push_back({{}, 2790, 880, 134});
+  setup.materials.push_back(aluminium());
   setup.conduction = ConductionParameters{};
   setup.conduction->initial_temperature = 298;
   time_steps(state, setup);
