@@ -48,7 +48,7 @@ def _lines(axes: Axes, lines: list[Series]) -> None:
             markersize=4, linewidth=6 if series.wide else 1.4, alpha=0.3 if series.wide else 1,
             **({} if colour is None else {"color": colour}))
         if series.band is not None:
-            drawn.set_linewidth(0.5)
+            drawn.set_linewidth(1.0)
             axes.fill_between(series.x, series.y, series.band, color=drawn.get_color(), alpha=0.4,
                               linewidth=0.5)
     axes.spines[["top", "right"]].set_visible(False)
@@ -77,7 +77,14 @@ def _figure(plot: Plot) -> Figure:
         axes.set_xscale("log")
     if plot.log_y and any((series.y > 0).any() for series in plot.series):
         axes.set_yscale("log")
-    axes.legend(fontsize=8, frameon=False, ncols=1 if len(plot.series) < 7 else 2)
+    shown = len(axes.get_legend_handles_labels()[1])
+    if shown < 7:
+        axes.legend(fontsize=8, frameon=False)
+    else:  # above the plot, where it hides nothing
+        figure.set_figheight(figure.get_figheight() + 0.1 * shown)
+        axes.legend(fontsize=8, frameon=False, ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1))
+        axes.set_title("")
+        figure.suptitle(plot.title, fontsize=10)
     return figure
 
 
