@@ -54,7 +54,7 @@ Eigen::VectorXd steady(const ConductionGeometry& geometry, const Specimen& speci
   solver.setTolerance(1e-12);
   solver.compute(matrix);
   Eigen::VectorXd start = fixed.unaryExpr([](double t) { return std::isnan(t) ? 0.5 : t; });
-  const Eigen::VectorXd temperature = solver.solveWithGuess(load, start);
+  Eigen::VectorXd temperature = solver.solveWithGuess(load, start);
   if (solver.info() != Eigen::Success)
     throw InputError(
         "[conduction] law = \"platonic-calibrated\": the steady bar test found no "
