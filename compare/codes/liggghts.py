@@ -247,8 +247,8 @@ class Liggghts:
         script += _beam_lines(specimen, beams) + "fix motion all nve/solidem\nrun 0\n"
         for number, motion in enumerate(spheres.motions):
             for end in (0, 1):
-                place = map(_full, spheres.position[end] + motion[end])
-                turn = " ".join(map(_full, _quaternion(motion[2 + end])))
+                place = map(full, spheres.position[end] + motion[end])
+                turn = " ".join(map(full, _quaternion(motion[2 + end])))
                 script += "set atom {} x {} y {} z {}\n".format(end + 1, *place)
                 script += f"set atom {end + 1} property/atom orientation {turn}\n"
             script += (f"dump loads all custom 1 loads{number}.dump id fx fy fz tqx tqy tqz\n"
