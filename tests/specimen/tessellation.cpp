@@ -17,7 +17,6 @@
 namespace solidem {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 
 Specimen crystal(const std::string& lattice, std::array<int, 3> cells, bool periodic,
                  double radius = 1.3e-4) {
