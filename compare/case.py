@@ -52,7 +52,7 @@ class Check:
     tolerance: float
     reason: str  #: why this tolerance
     variants: tuple[str, ...] = ()  #: names, * for any text; empty: all that run the code
-    over: tuple[str, ...] = ()  #: values of the variants: one row for all that differ in them alone
+    over: tuple[str, ...] = ()  #: values: one row for the variants that differ in these alone
     tolerance_times: str = ""  #: a value of the variant that multiplies the tolerance
     options: dict[str, Any] = field(default_factory=dict)  #: of the measure
 

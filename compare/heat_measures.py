@@ -48,7 +48,7 @@ def profile_error(view: View) -> Measured:
     mean = np.bincount(part, field, count) / members
     middle = (np.arange(count) + 0.5) / count
     fourier = frame.time / exact.time_scale
-    time, options = f"αt/L² = {fourier:.3g}", view.check.options
+    time, options = f"αt/L² = {view.option('fourier')}", view.check.options
     colour, mark = options.get("colour", "C0"), view.variant.values.get("mark", ".")
     # A label that begins with _ stays out of the legend.
     name = view.variant.name if options.get("first", True) else f"_{view.variant.name}, {time}"

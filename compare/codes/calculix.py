@@ -18,7 +18,7 @@ from compare.result import CodeFailure, Floats, Frame, Result
 
 @dataclass(frozen=True)
 class Mesh:
-    """Linear bricks of one size; nodes and bricks are numbered from 1, x fastest, then y, then z."""
+    """Linear bricks of one size; nodes and bricks count from 1, x fastest, then y, then z."""
 
     cells: tuple[int, int, int]
     lower: Floats  #: (3,) m

@@ -28,7 +28,7 @@ def test_bessel_function_against_tables() -> None:
 
 
 def test_moving_disc_keeps_its_heat() -> None:
-    """The mean over the plate rises with the heat given: midpoints integrate low cosines exactly."""
+    """The mean rises with the heat given: midpoints integrate low cosines exactly."""
     x = (np.arange(60) + 0.5) / 60 * PLATE.length
     y = ((np.arange(40) + 0.5) / 40 - 0.5) * PLATE.width
     grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)

@@ -17,7 +17,6 @@
 namespace solidem {
 namespace {
 
-
 Specimen crystal(const std::string& lattice, std::array<int, 3> cells, bool periodic,
                  double radius = 1.3e-4) {
   SpecimenRecipe recipe;
