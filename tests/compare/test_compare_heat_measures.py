@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from fake_codes import FakeStandalone
 
+import compare.heat_measures  # noqa: F401  (makes its measures known)
 from compare.case import Case, Check, Variant
 from compare.codes.base import Job
 from compare.codes.calculix import Calculix, Mesh, source_lines
