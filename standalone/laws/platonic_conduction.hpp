@@ -68,12 +68,6 @@ inline double platonic_transmission_area(const PlatonicElement& i, const Platoni
          std::sqrt(platonic_face_area(i.neighbours) * platonic_face_area(j.neighbours));
 }
 
-/// Conductance S_ij λ / d_ij, W/K. `distance` is that of the centres, m.
-inline double platonic_conductance(const PlatonicElement& i, const PlatonicElement& j,
-                                   double conductivity, double distance) {
-  return platonic_transmission_area(i, j) * conductivity / distance;
-}
-
 /// Heat capacity C_i, J/K. An element without neighbours counts as a bare sphere.
 inline double platonic_heat_capacity(const PlatonicElement& element, double density,
                                      double specific_heat) {

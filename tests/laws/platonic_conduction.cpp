@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "laws/heat_exchange.hpp"
+
 namespace solidem {
 namespace {
 
@@ -31,15 +33,15 @@ TEST(PlatonicConduction, simple_cubic_is_a_cube_of_the_continuum) {
   const double R = 1e-4, lambda = 134;
   const PlatonicElement element{R, 6};
   // A cube of side 2R: face 4R² over distance 2R, mass of 8R³.
-  EXPECT_NEAR(platonic_conductance(element, element, lambda, 2 * R), lambda * 2 * R,
-              1e-15 * lambda * R * 10);
+  EXPECT_NEAR(path_conductance(lambda, platonic_transmission_area(element, element), 2 * R),
+              lambda * 2 * R, 1e-15 * lambda * R * 10);
   EXPECT_NEAR(platonic_heat_capacity(element, 2790, 880) / (2790 * 880.0 * 8 * R * R * R), 1,
               1e-15);
 }
 
 TEST(PlatonicConduction, both_sides_exchange_the_same_heat) {
   const PlatonicElement a{1e-4, 5}, b{1.2e-4, 9};
-  EXPECT_EQ(platonic_conductance(a, b, 10, 2e-4), platonic_conductance(b, a, 10, 2e-4));
+  EXPECT_EQ(platonic_transmission_area(a, b), platonic_transmission_area(b, a));
 }
 
 TEST(PlatonicConduction, stays_positive_beyond_the_table) {
