@@ -14,13 +14,16 @@ HeatSource::HeatSource(const HeatSourceParameters& parameters,
       volume_(std::move(volume)),
       centre_(specimen.position.data()) {
   for (const std::int32_t e : elements) fixed_.push_back({e, volume_[static_cast<std::size_t>(e)]});
+  if (!parameters_.shape) {
+    volume_ = {};  // a region is known once and for all
+    return;
+  }
   constexpr double pi = 3.14159265358979323846;
   double largest = 0;
   for (const double v : volume_) {
     radius_.push_back(std::cbrt(0.75 * v / pi));
     largest = std::max(largest, radius_.back());
   }
-  if (!parameters_.shape) return;
   const auto [lower, upper] = parameters_.shape->bounds();
   lower_ = lower - Vector{largest, largest, largest};
   upper_ = upper + Vector{largest, largest, largest};

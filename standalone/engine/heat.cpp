@@ -139,11 +139,10 @@ void Heat::start(double duration) {
   for (std::size_t k = 0; k < sources_.size(); ++k)
     check_source(sources_[k], static_cast<const HeatSource&>(*loads_[k]), duration,
                  model_.specimen());
+  // Where no property depends on temperature, conduction takes explicit steps in one pass by
+  // itself.
+  if (takes_explicit_steps() && conduction_->is_linear()) return;
   heated_ = std::make_unique<HeatedModel>(model_, *conduction_, loads_, imposed_, limit_);
-  if (takes_explicit_steps() && heated_->is_linear()) {
-    heated_.reset();  // conduction takes its steps in one pass by itself
-    return;
-  }
   using Integrator = ConductionParameters::Integrator;
   const HeatIntegration choice =
       parameters_.integrator == Integrator::explicit_euler ? HeatIntegration::explicit_euler
