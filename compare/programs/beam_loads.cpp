@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "laws/euler_bernoulli_beam.hpp"
+#include "laws/beam.hpp"
 #include "laws/rigid_sphere.hpp"
 
 namespace {
@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     std::cerr << "error: " << argv[1] << ": the first line has no nine numbers\n";
     return 2;
   }
-  const solidem::BeamRigidity<double> rigidity = solidem::beam_rigidity(section);
+  const solidem::BeamRigidity<double> rigidity = solidem::euler_bernoulli_rigidity(section);
   const Vector rest = position_j - position_i;
   const double length = norm(rest);
   std::FILE* out = std::fopen(argv[2], "w");

@@ -45,7 +45,7 @@ Beams::Beams(const BeamParameters& parameters, const std::vector<double>& mass, 
   const Specimen& specimen = model.specimen();
   const bool from_pair = parameters.radius_from == BeamParameters::RadiusFrom::pair;
   const double radius = from_pair ? 1.0 : parameters.radius_ratio * mean_radius(specimen);
-  rigidity_ = beam_rigidity<double>({parameters.young_modulus, parameters.shear_modulus, radius});
+  rigidity_ = euler_bernoulli_rigidity<double>({parameters.young_modulus, parameters.shear_modulus, radius});
 
   double* poses[] = {model.data(columns::pose), model.next(columns::pose)};
   for (double* pose : poses)

@@ -6,11 +6,11 @@
 
 #include "effects/effect.hpp"
 #include "effects/parameters.hpp"
-#include "laws/euler_bernoulli_beam.hpp"
+#include "laws/beam.hpp"
 
 namespace solidem {
 
-/// Elements in motion under elastic beam bonds: laws/euler_bernoulli_beam.hpp, velocity Verlet with
+/// Elements in motion under elastic beam bonds: laws/beam.hpp, velocity Verlet with
 /// rotations.
 class Beams : public Effect {
  public:

@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Vectors, quaternions and rotation matrices over any scalar: `double`, a SIMD pack, a dual number.
-// A scalar needs + - * /, unary minus, and a `sqrt` found by argument-dependent lookup.
+// A scalar needs + - * /, unary minus, a `sqrt` and an `abs` found by argument-dependent lookup;
+// and, where a law decides, `greater`, `either`, `any` and `select` (of a pack: lane by lane).
 #ifndef SOLIDEM_LAWS_ALGEBRA_HPP
 #define SOLIDEM_LAWS_ALGEBRA_HPP
 
 #include <cmath>
 
 namespace solidem {
+
+constexpr bool greater(double a, double b) {
+  return a > b;
+}
+constexpr bool either(bool a, bool b) {
+  return a || b;
+}
+constexpr bool any(bool a) {
+  return a;
+}
+/// a where the condition holds, else b.
+constexpr double select(bool condition, double a, double b) {
+  return condition ? a : b;
+}
 
 /// A vector of three Cartesian components.
 template <class Real>

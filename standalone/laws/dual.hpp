@@ -30,8 +30,12 @@ struct Dual {
   friend constexpr Dual operator-(Dual a) { return {-a.value, -a.derivative}; }
   friend Dual sqrt(Dual a) {
     const double root = std::sqrt(a.value);
-    return {root, a.derivative / (2 * root)};
+    // Where a root starts, its derivative is taken as none: laws use roots of sums of squares.
+    return {root, root > 0 ? a.derivative / (2 * root) : 0.0};
   }
+  friend Dual abs(Dual a) { return a.value < 0 ? -a : a; }
+  friend constexpr bool greater(Dual a, Dual b) { return a.value > b.value; }
+  friend constexpr Dual select(bool condition, Dual a, Dual b) { return condition ? a : b; }
 };
 
 }  // namespace solidem

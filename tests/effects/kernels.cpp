@@ -78,7 +78,7 @@ TEST_P(BeamKernel, gives_the_accelerations_of_the_law) {
         model.data(columns::rest_length),
         pair ? model.data(columns::bond_radius) : nullptr,
         periodic ? model.data(columns::image_shift) : nullptr,
-        beam_rigidity<double>({setup.beams->young_modulus, setup.beams->shear_modulus, radius}),
+        euler_bernoulli_rigidity<double>({setup.beams->young_modulus, setup.beams->shear_modulus, radius}),
         1.0,
         0.0};
     kernels->move_beams(motion, 0, model.slots().blocks());

@@ -16,7 +16,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
-#include "laws/euler_bernoulli_beam.hpp"
+#include "laws/beam.hpp"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -92,7 +92,7 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
     const Section& section = sections[neighbor->bondlist[n][2]];
     const double beam_radius =
         section.radius > 0.0 ? section.radius : section.ratio * 0.5 * (radius[i] + radius[j]);
-    const solidem::BeamRigidity<double> rigidity = solidem::beam_rigidity(
+    const solidem::BeamRigidity<double> rigidity = solidem::euler_bernoulli_rigidity(
         solidem::BeamSection<double>{section.young_modulus, section.shear_modulus, beam_radius});
     const solidem::BeamPose<double> pose = solidem::beam_pose(
         chord, vector(rest), orientation_of(turned[i]), orientation_of(turned[j]));

@@ -25,7 +25,7 @@ BondStyle(solidem/beam,BondSolidemBeam)
 namespace LAMMPS_NS {
 
 /// Elastic Euler-Bernoulli beam between the centres of two spheres; the law is
-/// laws/euler_bernoulli_beam.hpp. History of a bond, from the lower tag to the higher: rest
+/// laws/beam.hpp. History of a bond, from the lower tag to the higher: rest
 /// direction (3, body axes of both atoms) and rest length; a rest length of zero marks a bond not
 /// yet seen.
 class BondSolidemBeam : public Bond {

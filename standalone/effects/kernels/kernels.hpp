@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "laws/euler_bernoulli_beam.hpp"
+#include "laws/beam.hpp"
 
 namespace solidem {
 

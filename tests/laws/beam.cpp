@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "laws/euler_bernoulli_beam.hpp"
+#include "laws/beam.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ BeamPose<Real> pose_of(const std::array<Real, 12>& u) {
 
 template <class Real>
 BeamRigidity<Real> rigidity() {
-  return beam_rigidity<Real>({Real{E}, Real{G}, Real{r}});
+  return euler_bernoulli_rigidity<Real>({Real{E}, Real{G}, Real{r}});
 }
 
 template <class Real>

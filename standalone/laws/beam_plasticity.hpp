@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Plasticity of a beam bond.
+//
+// Source: Terreros 2013, sections 3.2.1 and 3.2.2 (von Mises stress at mid-length, yield;
+// with the printed M_i + M_j, which vanishes in pure bending, put right to M_i − M_j).
+//
+// Equivalent stress at the edge of the section at mid-length:
+//   σ_e = sqrt(σ² + 3 τ²),   σ = |F_x| / S + ½ |M_i − M_j| r / I,   τ = M_x r / I_0.
+// With the loads of laws/beam.hpp, ½ |M_i − M_j| = E I / l |a_j − a_i| and M_x = G I_0 / l φ, so
+// that
+//   ε_e = σ_e / E = sqrt((|e| + r |a_j − a_i|)² + 3 (G/E · r φ)²) / l,
+// e the elastic extension and φ the elastic twist: everything below is written in this strain.
+//
+// Plastic deformation moves the shape in which the beam is free of load: the normals of its end
+// sections in the elements' body axes, its length and its twist. The elastic law then holds as it
+// stands, and rigid motion gives no load however much has flowed. A flow that leaves the share p of
+// the elastic deformation does the work Q·(1 − p)/p q = 2 (sqrt(U U') − U') on the way, with Q, q
+// and U' after and U before it: the work of the load that remains, which is the one that acts.
+//
+// Two laws say when and how far. Both leave the share p of the elastic deformation, in every mode
+// alike, so that the stress returns to σ_y along the ray to the origin:
+//   radial return   when the strain since the last flow exceeds ε_y + h κ:  p ε_e = ε_y + h κ',
+//                   κ' = κ + (1 − p) ε_e the plastic strain, h = H / E the hardening;
+//   scaled offset   (the thesis) when the strain ε since the bond was made exceeds its largest
+//                   before: the stress is then that of the same monotonic curve, p ε = ε_y + h κ',
+//                   κ' = (1 − p) ε; below it everything stays elastic, so reverse flow comes late.
+#ifndef SOLIDEM_LAWS_BEAM_PLASTICITY_HPP
+#define SOLIDEM_LAWS_BEAM_PLASTICITY_HPP
+
+#include "laws/beam.hpp"
+
+namespace solidem {
+
+/// When a beam flows and how much it hardens.
+template <class Real>
+struct BeamYield {
+  Real yield_strain;     ///< ε_y = σ_y / E
+  Real hardening_ratio;  ///< h = H / E: growth of the yield stress with the plastic strain
+};
+
+/// What a beam remembers: the shape in which it is free of load, and how much it has flowed.
+template <class Real>
+struct BeamHistory {
+  Vector3<Real> normal_i;  ///< of the end section, in body axes of i; at first the rest direction
+  Vector3<Real> normal_j;  ///< the same in body axes of j
+  Real extension;          ///< plastic part, m
+  Real twist;              ///< plastic part, rad
+  Real strain;             ///< κ: equivalent plastic strain, never decreasing
+};
+
+/// The history of a beam that has not flowed.
+template <class Real>
+constexpr BeamHistory<Real> unyielded(const Vector3<Real>& rest_direction) {
+  return {rest_direction, rest_direction, Real{0.0}, Real{0.0}, Real{0.0}};
+}
+
+/// Deformation of a beam since it last flowed.
+template <class Real>
+constexpr BeamDeformation<Real> elastic_deformation(const Real& rest_length,
+                                                    const BeamPose<Real>& pose,
+                                                    const BeamHistory<Real>& history) {
+  BeamDeformation<Real> deformation = beam_deformation(rest_length, pose);
+  deformation.extension = deformation.extension - history.extension;
+  deformation.twist = deformation.twist - history.twist;
+  return deformation;
+}
+
+/// σ_e / E. `shear_ratio`: G / E.
+template <class Real>
+constexpr Real equivalent_strain(const Real& radius, const Real& shear_ratio,
+                                 const BeamPose<Real>& pose,
+                                 const BeamDeformation<Real>& deformation) {
+  using std::abs;
+  using std::sqrt;
+  const Vector3<Real> bend = pose.normal_j - pose.normal_i;
+  const Real edge = abs(deformation.extension) + radius * sqrt(dot(bend, bend));
+  const Real slip = shear_ratio * radius * deformation.twist;
+  return sqrt(edge * edge + Real{3.0} * slip * slip) * deformation.inverse_rest_length;
+}
+
+/// Twice the largest that (ε_e l)² can be, without a root: below it a bond cannot have reached
+/// its limit.
+template <class Real>
+constexpr Real bound_of_squared_extension(const Real& radius, const Real& shear_ratio,
+                                          const BeamPose<Real>& pose,
+                                          const BeamDeformation<Real>& deformation) {
+  const Vector3<Real> bend = pose.normal_j - pose.normal_i;
+  const Real slip = shear_ratio * radius * deformation.twist;
+  return Real{2.0} *
+             (deformation.extension * deformation.extension + radius * radius * dot(bend, bend)) +
+         Real{3.0} * slip * slip;
+}
+
+/// How far a beam flows.
+template <class Real>
+struct PlasticFlow {
+  Real share;   ///< p: what remains of the elastic deformation, 1 where nothing flows
+  Real strain;  ///< κ afterwards
+};
+
+/// Radial return: `strain` is ε_e since the last flow, `plastic_strain` κ before.
+template <class Real>
+constexpr PlasticFlow<Real> radial_return(const BeamYield<Real>& yield, const Real& strain,
+                                          const Real& plastic_strain) {
+  const Real one{1.0};
+  const Real limit = yield.yield_strain + yield.hardening_ratio * plastic_strain;
+  const Real after = (limit + yield.hardening_ratio * strain) / (one + yield.hardening_ratio);
+  const auto flows = greater(strain, limit);
+  return {select(flows, after / select(flows, strain, one), one),
+          select(flows, plastic_strain + (strain - after), plastic_strain)};
+}
+
+/// Scaled offset: `strain` is ε since the bond was made, `plastic_strain` κ before.
+template <class Real>
+constexpr PlasticFlow<Real> scaled_offset(const BeamYield<Real>& yield, const Real& strain,
+                                          const Real& plastic_strain) {
+  const Real one{1.0};
+  const Real largest = yield.yield_strain + (one + yield.hardening_ratio) * plastic_strain;
+  const Real after =
+      (yield.yield_strain + yield.hardening_ratio * strain) / (one + yield.hardening_ratio);
+  const auto flows = greater(strain, largest);
+  return {select(flows, after / select(flows, strain, one), one),
+          select(flows, strain - after, plastic_strain)};
+}
+
+/// The pose of a beam of whose elastic deformation the share p remains: its section normals lean
+/// towards the chord.
+template <class Real>
+constexpr BeamPose<Real> relaxed(const BeamPose<Real>& pose, const Vector3<Real>& direction,
+                                 const Real& share) {
+  const auto lean = [&](const Vector3<Real>& normal) {
+    using std::sqrt;
+    const Vector3<Real> leant = direction + share * (normal - direction);
+    return (Real{1.0} / sqrt(dot(leant, leant))) * leant;
+  };
+  return {pose.chord, lean(pose.normal_i), lean(pose.normal_j), pose.relative_turn};
+}
+
+/// A beam bond that may flow, and the laws it may flow by.
+template <class Real>
+struct YieldingBeam {
+  BeamRigidity<Real> rigidity;
+  Real rest_length;  ///< m
+  Real radius;       ///< m
+  Real shear_ratio;  ///< G / E
+  BeamYield<Real> yield;
+};
+
+/// What a bond does in a pose, and what it will remember if the pose is accepted.
+template <class Real>
+struct BeamResponse {
+  BeamLoad<Real> load;
+  BeamHistory<Real> history;  ///< to be kept when the time step is
+  Real strain;                ///< σ_e / E after any flow
+  Real energy;                ///< elastic, after any flow, J
+  Real plastic_work;          ///< taken by this flow, J
+};
+
+namespace detail {
+
+/// Flow from a pose with a deformation to the share of it that remains. `plastic_strain`: κ before.
+/// `energy_before`: of the deformation against the shape that the bond remembers.
+template <class Real>
+constexpr BeamResponse<Real> flowed(const YieldingBeam<Real>& beam, const BeamPose<Real>& from,
+                                    const BeamDeformation<Real>& deformation,
+                                    const PlasticFlow<Real>& flow, const Real& plastic_strain,
+                                    const Real& energy_before,
+                                    const Quaternion<Real>& orientation_i,
+                                    const Quaternion<Real>& orientation_j) {
+  using std::sqrt;
+  const BeamPose<Real> pose = relaxed(from, deformation.direction, flow.share);
+  BeamDeformation<Real> left = deformation;
+  left.extension = flow.share * deformation.extension;
+  left.twist = flow.share * deformation.twist;
+  const BeamDeformation<Real> whole = beam_deformation(beam.rest_length, pose);
+  const Real energy = beam_energy(beam.rigidity, pose, left);
+  const Real stress_before = beam.yield.yield_strain + beam.yield.hardening_ratio * plastic_strain;
+  const Real stress_after = beam.yield.yield_strain + beam.yield.hardening_ratio * flow.strain;
+  return {beam_load(beam.rigidity, pose, left),
+          {rotate(conjugate(orientation_i), pose.normal_i),
+           rotate(conjugate(orientation_j), pose.normal_j), whole.extension - left.extension,
+           whole.twist - left.twist, flow.strain},
+          equivalent_strain(beam.radius, beam.shear_ratio, pose, left),
+          energy,
+          (Real{1.0} + stress_before / stress_after) * (sqrt(energy * energy_before) - energy)};
+}
+
+}  // namespace detail
+
+/// A bond under radial return. Nothing that is passed in changes: keep the history of the response
+/// to accept the pose.
+template <class Real>
+constexpr BeamResponse<Real> radial_return_response(const YieldingBeam<Real>& beam,
+                                                    const BeamHistory<Real>& history,
+                                                    const Vector3<Real>& chord,
+                                                    const Quaternion<Real>& orientation_i,
+                                                    const Quaternion<Real>& orientation_j) {
+  const BeamPose<Real> pose =
+      beam_pose(chord, history.normal_i, history.normal_j, orientation_i, orientation_j);
+  const BeamDeformation<Real> deformation = elastic_deformation(beam.rest_length, pose, history);
+  const Real strain = equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation);
+  const Real energy = beam_energy(beam.rigidity, pose, deformation);
+  const PlasticFlow<Real> flow = radial_return(beam.yield, strain, history.strain);
+  if (!any(greater(flow.strain, history.strain)))
+    return {beam_load(beam.rigidity, pose, deformation), history, strain, energy, Real{0.0}};
+  return detail::flowed(beam, pose, deformation, flow, history.strain, energy, orientation_i,
+                        orientation_j);
+}
+
+/// A bond under the scaled offset of the thesis; it also needs the direction it had when it was
+/// made, in body axes.
+template <class Real>
+constexpr BeamResponse<Real> scaled_offset_response(const YieldingBeam<Real>& beam,
+                                                    const BeamHistory<Real>& history,
+                                                    const Vector3<Real>& rest_direction,
+                                                    const Vector3<Real>& chord,
+                                                    const Quaternion<Real>& orientation_i,
+                                                    const Quaternion<Real>& orientation_j) {
+  const BeamPose<Real> pose =
+      beam_pose(chord, history.normal_i, history.normal_j, orientation_i, orientation_j);
+  const BeamDeformation<Real> deformation = elastic_deformation(beam.rest_length, pose, history);
+  const Real energy = beam_energy(beam.rigidity, pose, deformation);
+  const BeamPose<Real> whole_pose = beam_pose(chord, rest_direction, orientation_i, orientation_j);
+  const BeamDeformation<Real> whole = beam_deformation(beam.rest_length, whole_pose);
+  const Real strain = equivalent_strain(beam.radius, beam.shear_ratio, whole_pose, whole);
+  const PlasticFlow<Real> flow = scaled_offset(beam.yield, strain, history.strain);
+  if (!any(greater(flow.strain, history.strain)))
+    return {beam_load(beam.rigidity, pose, deformation), history,
+            equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation), energy, Real{0.0}};
+  return detail::flowed(beam, whole_pose, whole, flow, history.strain, energy, orientation_i,
+                        orientation_j);
+}
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Contact of two elements that no bond joins: a linear spring that only pushes,
+//   F_i = −k (d_c − L) x   while L < d_c,
+// x the unit chord from i to j, L its length. Two elements that were bonded touch at the distance
+// they had then if they overlapped (else they would be thrown apart when the bond breaks); all
+// others where their spheres meet.
+#ifndef SOLIDEM_LAWS_CONTACT_HPP
+#define SOLIDEM_LAWS_CONTACT_HPP
+
+#include "laws/algebra.hpp"
+
+namespace solidem {
+
+/// d_c of two elements whose bond broke, m. `radii`: sum of both.
+template <class Real>
+constexpr Real contact_distance(const Real& rest_length, const Real& radii) {
+  return select(greater(radii, rest_length), rest_length, radii);
+}
+
+/// Force on i, N; `stiffness` k in N/m, chord from i to j. A chord of length zero gives no force.
+template <class Real>
+constexpr Vector3<Real> contact_force(const Real& stiffness, const Real& distance,
+                                      const Vector3<Real>& chord) {
+  using std::sqrt;
+  const Real tiny{1e-300}, none{0.0};
+  const Real length = sqrt(dot(chord, chord) + tiny);
+  const Real push = select(greater(distance, length), stiffness * (distance - length), none);
+  return (-push / length) * chord;
+}
+
+/// Energy stored in a contact, J.
+template <class Real>
+constexpr Real contact_energy(const Real& stiffness, const Real& distance,
+                              const Vector3<Real>& chord) {
+  using std::sqrt;
+  const Real length = sqrt(dot(chord, chord)), none{0.0}, half{0.5};
+  const Real depth = select(greater(distance, length), distance - length, none);
+  return half * stiffness * depth * depth;
+}
+
+}  // namespace solidem
+
+#endif
