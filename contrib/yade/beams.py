@@ -2,9 +2,10 @@
 """Elastic beam bonds by YADE's native cohesive-frictional law with moments.
 
 With every sphere of the same `shape.radius` the contact point lies at mid-length; an elastic spring
-there with  kn = E S/l, ks = 12 E I/l³ (translations), kr = E I/l, ktw = G I_0/l (rotations)  has the
-stiffness matrix of the Euler–Bernoulli beam between the two centres. YADE integrates shear force
-and moments step by step, so it agrees with a total (co-rotational) form to first order in strain.
+there with  kn = E S/l, ks = 12 E I/((1 + Φ) l³) (translations), kr = E I/l, ktw = G I_0/l
+(rotations)  has the stiffness matrix of the Timoshenko beam between the two centres, with Φ = 0 that
+of the Euler–Bernoulli beam; a plain spring has kn alone. YADE integrates shear force and moments
+step by step, so it agrees with a total (co-rotational) form to first order in strain.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import numpy as np
 from prepared import Beams, Floats, Parameters, Specimen
 from results import Recorder
 from visible import make_visible
-from yade import (CohFrictMat, ForceResetter, Ig2_Sphere_Sphere_ScGeom6D, InteractionLoop,
+from yade import (CohFrictMat, Engine, ForceResetter, Ig2_Sphere_Sphere_ScGeom6D, InteractionLoop,
                   Ip2_CohFrictMat_CohFrictMat_CohFrictPhys,
                   Law2_ScGeom6D_CohFrictPhys_CohesionMoment, NewtonIntegrator, O, PyRunner, utils)
 from yade import _utils
@@ -43,12 +44,9 @@ def _add_bodies(specimen: Specimen) -> None:
 
 
 def _add_bonds(specimen: Specimen, beams: Beams) -> None:
-    length, radius = specimen.rest_length, beams.radius(specimen)
-    area, second_moment = np.pi * radius**2, np.pi * radius**4 / 4
-    stiffness = np.stack(
-        [beams.young_modulus * area / length, 12 * beams.young_modulus * second_moment / length**3,
-         beams.young_modulus * second_moment / length,
-         2 * beams.shear_modulus * second_moment / length], axis=1)
+    length = specimen.rest_length
+    axial, bending, shear, torsion = (beams.rigidity(specimen) / length[:, None]).T
+    stiffness = np.stack([axial, 6 * shear / length**2, bending / 2, torsion], axis=1)
     for (i, j), (kn, ks, kr, ktw) in zip(specimen.pairs.tolist(), stiffness.tolist()):
         interaction = utils.createInteraction(i, j)
         physics = interaction.phys
@@ -75,24 +73,32 @@ class BeamScene:
         self.specimen, self.parameters = specimen, parameters
         self.recorder: Recorder | None = None
         _add_bodies(specimen)
+        self._add_beams(parameters.beams, incremental)
+
+    def _add_beams(self, beams: Beams, incremental: bool) -> None:
+        """YADE's own law between the bodies."""
+        self._add_engines(InteractionLoop(
+            [Ig2_Sphere_Sphere_ScGeom6D(avoidGranularRatcheting=False,
+                                        interactionDetectionFactor=3,
+                                        updateRotations=not incremental)],
+            [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys()],
+            [Law2_ScGeom6D_CohFrictPhys_CohesionMoment(neverErase=True,
+                                                       always_use_moment_law=True,
+                                                       useIncrementalForm=incremental)]))
+        _add_bonds(self.specimen, beams)
+
+    def _add_engines(self, loads: Engine) -> None:
+        """A time step, in which `loads` gives the loads of the present pose."""
         O.engines = [
             ForceResetter(),
-            InteractionLoop(
-                [Ig2_Sphere_Sphere_ScGeom6D(avoidGranularRatcheting=False,
-                                            interactionDetectionFactor=3,
-                                            updateRotations=not incremental)],
-                [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys()],
-                [Law2_ScGeom6D_CohFrictPhys_CohesionMoment(neverErase=True,
-                                                           always_use_moment_law=True,
-                                                           useIncrementalForm=incremental)]),
+            loads,
             # Motion imposed before the first look at the bonds would count as a shear of its own.
             PyRunner(iterPeriod=1, nDo=1, initRun=True, command="scene.start_motion()"),
             PyRunner(iterPeriod=1, initRun=True, label="observer",
                      command="scene.observe()"),
             NewtonIntegrator(damping=0, gravity=(0, 0, 0), exactAsphericalRot=False),
         ]
-        O.dt = parameters.time_step
-        _add_bonds(specimen, parameters.beams)
+        O.dt = self.parameters.time_step
 
     def start_motion(self) -> None:
         """Blocks what the grips hold and sets their velocities."""

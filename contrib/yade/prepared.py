@@ -81,19 +81,74 @@ class Specimen:
 
 @dataclass(frozen=True)
 class Beams:
-    """Material and thickness of the beam bonds."""
+    """Law, material and thickness of the beam bonds."""
 
     young_modulus: float  #: E, Pa
     shear_modulus: float  #: G, Pa
     radius_ratio: float
     radius_from: str  #: "mean" or "pair"
     mean_radius: float  #: R_m, m
+    law: str = "euler-bernoulli"  #: or "timoshenko", "spring"
+    shear_coefficient: float = 0.9  #: κ of "timoshenko": shear force κ G S times the shear angle
 
     def radius(self, specimen: Specimen) -> Floats:
         """(B,) radius of each beam, m."""
         if self.radius_from == "pair":
             return self.radius_ratio * specimen.radius[specimen.pairs].mean(axis=1)
         return np.full(len(specimen.pairs), self.radius_ratio * self.mean_radius)
+
+    def rigidity(self, specimen: Specimen) -> Floats:
+        """(B, 4) axial E S, N; bending 2 E I, shear 2 E I / (1 + Φ) and torsion G I_0, N m².
+
+        PreparedError when `solidem prepare` stored others: then beams differ in more than law and
+        radius, which is not understood.
+        """
+        area = np.pi * self.radius(specimen) ** 2
+        second_moment = area**2 / (4 * np.pi)
+        bending = 2 * self.young_modulus * second_moment
+        slack = np.zeros_like(area)
+        if self.law == "timoshenko":
+            slack = (12 * self.young_modulus * second_moment
+                     / (self.shear_coefficient * self.shear_modulus * area
+                        * specimen.rest_length**2))
+        found = np.stack([self.young_modulus * area, bending, bending / (1 + slack),
+                          2 * self.shear_modulus * second_moment], axis=1)
+        if self.law == "spring":
+            found[:, 1:] = 0
+        stored = specimen.columns.get("mechanics/rigidity")
+        if stored is not None and len(stored):
+            off = float((np.abs(stored - found) / found.max(axis=0).clip(1e-300)).max())
+            if off > 1e-9:
+                raise PreparedError(f"{specimen.path}: /mechanics/rigidity differs by {off:g} from "
+                                    f"that of {self.law} beams of one material; only such are "
+                                    "understood")
+        return found
+
+
+@dataclass(frozen=True)
+class Plasticity:
+    """When beams flow; strains are stresses over the beams' E."""
+
+    law: str  #: "radial-return" or "scaled-offset"
+    yield_strain: float  #: σ_y / E
+    hardening_ratio: float = 0.0  #: H / E
+
+
+@dataclass(frozen=True)
+class Rupture:
+    """When beams break; infinite: not by this."""
+
+    elastic_strain: float = np.inf  #: bound of σ_e / E
+    strain: float = np.inf  #: bound of σ_e / E + plastic strain
+    minimal_bonds: int = 0  #: elements that lost bonds and keep fewer are removed; 0: never
+
+
+@dataclass(frozen=True)
+class Contact:
+    """How elements that lost bonds push each other."""
+
+    stiffness_ratio: float = 1.0  #: of E S / l
+    rebonding_pressure: float | None = None  #: Pa, above which a new bond is made
 
 
 @dataclass(frozen=True)
@@ -149,6 +204,9 @@ class Parameters:
     exchanges: dict[str, float] = field(default_factory=dict)  #: name -> outer temperature, K
     powers: tuple[str, ...] = ()  #: names of constant heat sources
     unsupported: tuple[str, ...] = ()  #: what the scene asks of solidem alone
+    plasticity: Plasticity | None = None
+    rupture: Rupture | None = None
+    contact: Contact | None = None
 
     def require_support(self) -> None:
         """PreparedError when the scene asks for what other codes are not given."""
@@ -214,9 +272,32 @@ def _axis_velocity(axis: dict[str, Any], where: str) -> float | None:
     return value
 
 
-def _grip(entry: dict[str, Any]) -> Grip:
-    x, y, z = (_axis_velocity(axis, f"grip {entry['name']}") for axis in entry["axes"])
-    return Grip(entry["name"], (x, y, z), entry["rotation"] == "fixed")
+def _grips(entries: list[dict[str, Any]], unsupported: list[str]) -> tuple[Grip, ...]:
+    """Grips held or moved steadily; others are unsupported."""
+    found = []
+    for entry in entries:
+        try:
+            x, y, z = (_axis_velocity(axis, f"grip {entry['name']}") for axis in entry["axes"])
+            found.append(Grip(entry["name"], (x, y, z), entry["rotation"] == "fixed"))
+        except PreparedError as error:
+            unsupported.append(str(error))
+    return tuple(found)
+
+
+def _known(kind: type, law: dict[str, Any] | None) -> Any:
+    """A dataclass from the keys it knows that are there and not null; None from nothing."""
+    if not law:
+        return None
+    return kind(**{k: law[k] for k in kind.__dataclass_fields__ if law.get(k) is not None})
+
+
+def _beams(law: dict[str, Any] | None, unsupported: list[str]) -> Beams | None:
+    """Beams of one material; moduli that depend on direction are unsupported."""
+    for name in ("anisotropy", "fibres"):
+        if law and law.get(name):
+            unsupported.append(f"beams with {name} are not understood")
+    found: Beams | None = _known(Beams, law)
+    return found
 
 
 def _conduction(law: dict[str, Any], unsupported: list[str]) -> Conduction:
@@ -260,10 +341,8 @@ def _exchanges(entries: list[dict[str, Any]], unsupported: list[str]) -> dict[st
 def parse_parameters(explained: dict[str, Any]) -> Parameters:
     """Parameters from the object that `solidem explain --json` prints."""
     laws = explained.get("laws", {})
-    beams = conduction = None
+    conduction = None
     unsupported: list[str] = []
-    if laws.get("beams"):
-        beams = Beams(**{k: laws["beams"][k] for k in Beams.__dataclass_fields__})
     if laws.get("conduction"):
         conduction = _conduction(laws["conduction"], unsupported)
     for entry in explained.get("powers") or []:
@@ -273,13 +352,16 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
     return Parameters(
         float(explained["time_step"]["value"]),
         int(explained["steps"]),
-        beams,
+        _beams(laws.get("beams"), unsupported),
         conduction,
-        tuple(_grip(entry) for entry in explained.get("grips") or []),
+        _grips(explained.get("grips") or [], unsupported),
         _temperatures(explained.get("temperatures") or [], unsupported),
         _exchanges(explained.get("exchanges") or [], unsupported),
         tuple(entry["name"] for entry in explained.get("powers") or []),
         tuple(unsupported),
+        _known(Plasticity, laws.get("plasticity")),
+        _known(Rupture, laws.get("rupture")),
+        _known(Contact, laws.get("contact")),
     )
 
 

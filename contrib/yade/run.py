@@ -32,23 +32,31 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--observe-every", type=int, help="steps between rows (1/200 of the run)")
     parser.add_argument("--frame-every", type=int, help="steps between frames (1/10 of the run)")
     parser.add_argument("--law", choices=["native", "incremental", "scripted"],
-                        help="default: native; scripted for conduction of law voronoi")
+                        help="default: native; scripted for conduction of law voronoi and for beams "
+                        "that flow or break")
     return parser.parse_args(sys.argv[1:])
 
 
 def _default_law(parameters: Parameters) -> str:
     """YADE's own laws, where it has them."""
     has_faces = parameters.conduction is not None and parameters.conduction.law == "voronoi"
-    return "scripted" if has_faces else "native"
+    beams_change = parameters.plasticity is not None or parameters.rupture is not None
+    return "scripted" if has_faces or beams_change else "native"
 
 
 def _scene(specimen: Specimen, parameters: Parameters, law: str):
     parameters.require_support()
     if parameters.beams and parameters.conduction:
         raise SystemExit("run.py: beams and conduction together are not supported in YADE")
+    if parameters.beams and law == "scripted":
+        from scripted_beams import ScriptedBeamScene
+
+        return ScriptedBeamScene(specimen, parameters)
     if parameters.beams:
         from beams import BeamScene
 
+        if _default_law(parameters) == "scripted":
+            raise SystemExit("run.py: beams that flow or break need --law scripted")
         return BeamScene(specimen, parameters, incremental=law == "incremental")
     if parameters.conduction and law == "scripted":
         from scripted_heat import ScriptedHeatScene

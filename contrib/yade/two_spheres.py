@@ -3,8 +3,8 @@
 
     yade -n -x -j1 two_spheres.py motions.json loads.txt
 
-motions.json: "position" (2, 3), "beam_radius", "young_modulus", "shear_modulus", and "motions"
-(M, 4, 3): displacement of i and j in m, rotation vector of i and j in rad. loads.txt: a line for
+motions.json: "position" (2, 3), "beam_radius", "young_modulus", "shear_modulus", "law",
+"shear_coefficient", and "motions" (M, 4, 3): displacement of i and j in m, rotation vector of i and j in rad. loads.txt: a line for
 each motion, forces on i and j in N, then moments on i and j in N·m.
 """
 
@@ -52,7 +52,8 @@ def main() -> None:
     specimen = Specimen(Path(sys.argv[1]), np.array(task["position"]), ones,
                         np.array([[0, 1]]),
                         columns={"mechanics/mass": ones, "mechanics/inertia": ones})
-    beams = Beams(task["young_modulus"], task["shear_modulus"], 1.0, "mean", task["beam_radius"])
+    beams = Beams(task["young_modulus"], task["shear_modulus"], 1.0, "mean", task["beam_radius"],
+                  task["law"], task["shear_coefficient"])
     loads = [TwoSpheres(specimen, beams, motion).loads() for motion in np.array(task["motions"])]
     np.savetxt(sys.argv[2], loads, fmt="%.17g")
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import h5py
+import numpy as np
 import pytest
 from prepared_bar import Bar, beam_task, heat_task, loaded_task, run_yade
 
@@ -73,7 +74,49 @@ def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str)
     task = beam_task(bar, 1.0, 10)
     task["grips"][1]["axes"][0] = axis
     with pytest.raises(PreparedError, match=words):
-        parse_parameters(task)
+        parse_parameters(task).require_support()
+
+
+@pytest.mark.parametrize("laws, words", [
+    ({"plasticity": {"law": "radial-return", "yield_strain": 1e-3, "hardening_ratio": 0.0}},
+     "need --law scripted"),
+    ({"rupture": {"elastic_strain": None, "strain": 0.2, "minimal_bonds": 0}},
+     "need --law scripted"),
+])
+def test_the_native_law_neither_flows_nor_breaks(bar: Bar, tmp_path: Path, laws: dict[str, Any],
+                                                 words: str) -> None:
+    task = beam_task(bar, 1.0, 10)
+    task["laws"] |= laws
+    with pytest.raises(CodeFailure):
+        run_yade(bar.path, task, tmp_path, "--law", "native")
+    assert words in (tmp_path / "output.log").read_text()
+
+
+@pytest.mark.parametrize("laws, words", [
+    ({"rupture": {"elastic_strain": None, "strain": 0.2, "minimal_bonds": 3}}, "minimal_bonds"),
+    ({"rupture": {"elastic_strain": None, "strain": 0.2, "minimal_bonds": 0},
+      "contact": {"stiffness_ratio": 1.0, "rebonding_pressure": None}}, "[contact]"),
+])
+def test_what_scripted_beams_leave_out(bar: Bar, tmp_path: Path, laws: dict[str, Any],
+                                       words: str) -> None:
+    task = beam_task(bar, 1.0, 10)
+    task["laws"] |= laws
+    refuses(bar.path, task, tmp_path, words)
+
+
+def test_beams_that_differ_from_bond_to_bond(bar: Bar, tmp_path: Path) -> None:
+    copy = tmp_path / "prepared.h5"
+    shutil.copy(bar.path, copy)
+    with h5py.File(copy, "a") as file:
+        file["mechanics/rigidity"] = np.ones((len(bar.specimen.pairs), 4))
+    refuses(copy, beam_task(bar, 1.0, 10), tmp_path / "run", "/mechanics/rigidity differs")
+
+
+@pytest.mark.parametrize("name", ["anisotropy", "fibres"])
+def test_beams_that_differ_with_direction(bar: Bar, tmp_path: Path, name: str) -> None:
+    task = beam_task(bar, 1.0, 10)
+    task["laws"]["beams"] = {**task["laws"]["beams"], name: {"power": 4}}
+    refuses(bar.path, task, tmp_path, name)
 
 
 def test_file_that_is_no_specimen(tmp_path: Path) -> None:
