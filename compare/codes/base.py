@@ -12,7 +12,7 @@ from typing import Any, Protocol, Sequence
 
 import numpy as np
 from compare.result import CodeFailure, Floats, Result
-from contrib.yade.prepared import Parameters, Specimen
+from contrib.yade.prepared import Parameters, Plasticity, Specimen
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -34,7 +34,10 @@ class Job:
 
 @dataclass(frozen=True)
 class TwoSpheres:
-    """One beam between two spheres and the motions of its ends."""
+    """One beam between two spheres and the motions of its ends.
+
+    Each motion starts from rest, unless the beam flows: then they follow one another.
+    """
 
     position: Floats  #: (2, 3) m
     radius: float  #: of the spheres, m
@@ -42,6 +45,9 @@ class TwoSpheres:
     young_modulus: float  #: Pa
     shear_modulus: float  #: Pa
     motions: Floats  #: (M, 4, 3): displacement of i, of j (m), rotation vector of i, of j (rad)
+    law: str = "euler-bernoulli"  #: or "timoshenko", "spring"
+    shear_coefficient: float = 0.9  #: of "timoshenko"
+    plasticity: Plasticity | None = None  #: None: elastic
 
 
 class Code(Protocol):

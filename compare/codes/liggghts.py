@@ -186,6 +186,7 @@ class Liggghts:
     def _run(self, job: Job, directory: Path) -> Result:
         directory.mkdir(parents=True, exist_ok=True)
         specimen, parameters = job.specimen, job.parameters
+        parameters.require_support()
         explained = json.loads(job.explained.read_text())
         bonds = specimen.conductors if parameters.conduction else specimen.pairs
         if parameters.beams and not np.array_equal(bonds, specimen.pairs):

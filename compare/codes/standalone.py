@@ -9,6 +9,7 @@ from pathlib import Path
 
 from compare.codes.base import ROOT, Job, TwoSpheres, read_loads, run_program
 from compare.result import CodeFailure, Floats, Result, read_result
+from contrib.yade.prepared import Plasticity
 
 
 def _default_program() -> Path:
@@ -51,10 +52,13 @@ class Standalone:
         program = directory / "beam_loads"
         run_program([os.environ.get("CXX", "g++"), "-std=c++17", "-O1", f"-I{ROOT / 'standalone'}",
                      source, "-o", program], directory / "build", timeout)
+        flow = spheres.plasticity or Plasticity("elastic", 1.0)
         head = [*spheres.position.ravel(), spheres.beam_radius, spheres.young_modulus,
-                spheres.shear_modulus]
+                spheres.shear_modulus, spheres.law, spheres.shear_coefficient, flow.law,
+                flow.yield_strain, flow.hardening_ratio]
         lines = [head, *spheres.motions.reshape(-1, 12)]
         motions, loads = directory / "motions.txt", directory / "loads.txt"
-        motions.write_text("".join(" ".join(f"{x:.17g}" for x in line) + "\n" for line in lines))
+        motions.write_text("".join(" ".join(
+            x if isinstance(x, str) else f"{x:.17g}" for x in line) + "\n" for line in lines))
         run_program([program, motions, loads], directory, timeout)
         return read_loads(loads, len(spheres.motions), self.name)

@@ -8,10 +8,22 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from compare.codes.base import ROOT, Job, TwoSpheres, read_loads, run_program
 from compare.result import CodeFailure, Floats, Result, read_result
+from contrib.yade.beam_law import law_of, path_loads
+from contrib.yade.prepared import Beams, Plasticity, Specimen
 
 SCRIPTS = ROOT / "contrib" / "yade"
+
+
+def _scripted_loads(spheres: TwoSpheres, place: Path, plasticity: Plasticity) -> Floats:
+    """Loads of the beam law that is scripted in YADE."""
+    beams = Beams(spheres.young_modulus, spheres.shear_modulus, 1.0, "mean", spheres.beam_radius,
+                  spheres.law, spheres.shear_coefficient)
+    specimen = Specimen(place, spheres.position, np.full(2, spheres.radius), np.array([[0, 1]]))
+    return path_loads(law_of(specimen, beams, plasticity), spheres.position, spheres.motions)
 
 
 @dataclass
@@ -46,12 +58,18 @@ class Yade:
         return read_result(self.name, directory / "results")
 
     def beam_loads(self, spheres: TwoSpheres, directory: Path, timeout: float) -> Floats:
-        """Moves the two spheres steadily to each place and reads the bond's loads there."""
+        """Moves the two spheres steadily to each place and reads the bond's loads there.
+
+        A beam that flows is scripted; its law is then asked directly.
+        """
         directory.mkdir(parents=True, exist_ok=True)
+        if spheres.plasticity:
+            return _scripted_loads(spheres, directory, spheres.plasticity)
         (directory / "motions.json").write_text(json.dumps({
             "position": spheres.position.tolist(), "radius": spheres.radius,
             "beam_radius": spheres.beam_radius, "young_modulus": spheres.young_modulus,
-            "shear_modulus": spheres.shear_modulus, "motions": spheres.motions.tolist()}))
+            "shear_modulus": spheres.shear_modulus, "law": spheres.law,
+            "shear_coefficient": spheres.shear_coefficient, "motions": spheres.motions.tolist()}))
         loads = directory / "loads.txt"
         self._run("two_spheres.py", [directory / "motions.json", loads], directory, timeout)
         return read_loads(loads, len(spheres.motions), self.name)

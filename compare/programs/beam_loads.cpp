@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Loads of one beam under prescribed motions: beam_loads MOTIONS LOADS. The first line of MOTIONS
-// gives both positions (m), beam radius (m), E and G (Pa); each further line the displacements (m)
-// of i and j and their rotation vectors (rad). A line of LOADS: forces on i and j (N), moments on i
-// and j (N·m).
+// gives both positions (m), beam radius (m), E and G (Pa), the law (euler-bernoulli, timoshenko or
+// spring) and its shear coefficient, and how the beam flows (elastic, radial-return or
+// scaled-offset) with yield strain and hardening ratio; each further line the displacements (m) of
+// i and j and their rotation vectors (rad). An elastic beam takes each motion from rest; one that
+// flows takes them one after the other. A line of LOADS: forces on i and j (N), moments on i and j
+// (N·m).
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <string>
 
-#include "laws/beam.hpp"
+#include "laws/beam_plasticity.hpp"
 #include "laws/rigid_sphere.hpp"
 
 namespace {
@@ -28,6 +32,27 @@ Orientation turned(const Vector& rotation) {
   return q;
 }
 
+struct Task {
+  Vector position_i, position_j;
+  solidem::BeamSection<double> section{};
+  std::string law, flow;
+  double shear_coefficient = 0;
+  solidem::BeamYield<double> yield{};
+};
+
+bool read(std::istream& in, Task& t) {
+  return bool(in >> t.position_i >> t.position_j >> t.section.radius >> t.section.young_modulus >>
+              t.section.shear_modulus >> t.law >> t.shear_coefficient >> t.flow >>
+              t.yield.yield_strain >> t.yield.hardening_ratio);
+}
+
+solidem::BeamRigidity<double> rigidity(const Task& t, double length) {
+  if (t.law == "spring") return solidem::spring_rigidity(t.section);
+  if (t.law == "timoshenko")
+    return solidem::timoshenko_rigidity(t.section, length, t.shear_coefficient);
+  return solidem::euler_bernoulli_rigidity(t.section);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -36,16 +61,18 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::ifstream in(argv[1]);
-  Vector position_i, position_j;
-  solidem::BeamSection<double> section{};
-  if (!(in >> position_i >> position_j >> section.radius >> section.young_modulus >>
-        section.shear_modulus)) {
-    std::cerr << "error: " << argv[1] << ": the first line has no nine numbers\n";
+  Task task;
+  if (!read(in, task)) {
+    std::cerr << "error: " << argv[1] << ": the first line does not say what beam\n";
     return 2;
   }
-  const solidem::BeamRigidity<double> rigidity = solidem::euler_bernoulli_rigidity(section);
-  const Vector rest = position_j - position_i;
+  const Vector rest = task.position_j - task.position_i;
   const double length = norm(rest);
+  const Vector direction = (1 / length) * rest;
+  const solidem::YieldingBeam<double> beam{rigidity(task, length), length, task.section.radius,
+                                           task.section.shear_modulus / task.section.young_modulus,
+                                           task.yield};
+  solidem::BeamHistory<double> history = solidem::unyielded(direction);
   std::FILE* out = std::fopen(argv[2], "w");
   if (!out) {
     std::cerr << "error: " << argv[2] << " cannot be written\n";
@@ -53,10 +80,20 @@ int main(int argc, char** argv) {
   }
   Vector move_i, move_j, turn_i, turn_j;
   while (in >> move_i >> move_j >> turn_i >> turn_j) {
-    const solidem::BeamLoad<double> load =
-        solidem::beam_load(rigidity, length,
-                           solidem::beam_pose((position_j + move_j) - (position_i + move_i),
-                                              (1 / length) * rest, turned(turn_i), turned(turn_j)));
+    const Vector chord = (task.position_j + move_j) - (task.position_i + move_i);
+    const Orientation at_i = turned(turn_i), at_j = turned(turn_j);
+    solidem::BeamLoad<double> load{};
+    if (task.flow == "elastic") {
+      load = solidem::beam_load(beam.rigidity, length,
+                                solidem::beam_pose(chord, direction, at_i, at_j));
+    } else {
+      const solidem::BeamResponse<double> response =
+          task.flow == "scaled-offset"
+              ? solidem::scaled_offset_response(beam, history, direction, chord, at_i, at_j)
+              : solidem::radial_return_response(beam, history, chord, at_i, at_j);
+      load = response.load;
+      history = response.history;
+    }
     const Vector loads[] = {load.force, -load.force, load.moment_i, load.moment_j};
     for (const Vector& v : loads) std::fprintf(out, "%.17g %.17g %.17g ", v.x, v.y, v.z);
     std::fprintf(out, "\n");
