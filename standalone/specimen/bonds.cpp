@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "model/error.hpp"
@@ -47,6 +48,41 @@ std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance) {
 void make_bonds(Specimen& specimen, double tolerance) {
   specimen.bonds = find_bonds(specimen, tolerance);
   specimen.bond_tolerance = tolerance;
+}
+
+bool is_fibre(const Specimen& specimen, Pair pair) {
+  const double touching = specimen.radius[static_cast<std::size_t>(pair.i)] +
+                          specimen.radius[static_cast<std::size_t>(pair.j)];
+  const double margin = 1.0 + 1e-12;  // that of neighbour_pairs
+  return norm(rest_chord(specimen, pair)) > (1.0 + specimen.bond_tolerance) * touching * margin;
+}
+
+std::vector<Pair> find_fibres(const Specimen& specimen, const FibreRule& rule) {
+  if (!(specimen.bond_tolerance > -1.0))
+    throw InputError(
+        "fibres join elements beyond the tolerance of the bonds, and the specimen does not say "
+        "which tolerance made its bonds: expected [bonds] tolerance in the scene");
+  if (!(rule.reach > 1.0 + specimen.bond_tolerance) || !std::isfinite(rule.reach))
+    throw InputError(
+        fmt::format("fibres of reach {}: bonds of tolerance {} reach as far; expected a reach "
+                    "above {}, such as 2",
+                    rule.reach, specimen.bond_tolerance, 1.0 + specimen.bond_tolerance));
+  std::vector<Pair> pairs = find_bonds(specimen, rule.reach - 1.0);
+  const auto is_none = [&](const Pair& pair) {
+    const Vector chord = rest_chord(specimen, pair);
+    return !is_fibre(specimen, pair) ||
+           !(std::abs(dot(chord, rule.direction)) > rule.alignment * norm(chord));
+  };
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_none), pairs.end());
+  return pairs;
+}
+
+void add_fibres(Specimen& specimen, const FibreRule& rule) {
+  const std::vector<Pair> fibres = find_fibres(specimen, rule);
+  std::vector<Pair> all;
+  std::set_union(specimen.bonds.begin(), specimen.bonds.end(), fibres.begin(), fibres.end(),
+                 std::back_inserter(all));
+  specimen.bonds = std::move(all);
 }
 
 std::vector<std::int32_t> count_bonds(const Specimen& specimen) {

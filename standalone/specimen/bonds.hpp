@@ -18,6 +18,25 @@ std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance);
 /// Replaces the specimen's bonds by those of a tolerance, and notes the tolerance.
 void make_bonds(Specimen& specimen, double tolerance);
 
+/// Pairs beyond contact that fibres join.
+struct FibreRule {
+  Vector direction{1, 0, 0};  ///< of the fibres, unit
+  double reach = 2;           ///< d ≤ reach (R_i + R_j), above 1 + tolerance of the bonds
+  double alignment = 0.94;    ///< |cos| of the angle to the direction is above this, 0 to 1
+};
+
+/// Whether a pair is farther apart than the tolerance of the specimen's bonds allows: if it is
+/// bonded, then by a fibre.
+bool is_fibre(const Specimen& specimen, Pair pair);
+
+/// The pairs that fibres join: beyond the bonds' tolerance, within reach, aligned. Sorted, i < j.
+/// Throws InputError when the tolerance of the bonds is not known, when the reach lies within it,
+/// or when a periodic cell is too small for the reach.
+std::vector<Pair> find_fibres(const Specimen& specimen, const FibreRule& rule);
+
+/// Adds fibres to the specimen's bonds; those it has already are not doubled.
+void add_fibres(Specimen& specimen, const FibreRule& rule);
+
 /// Number of bonds of each element.
 std::vector<std::int32_t> count_bonds(const Specimen& specimen);
 
