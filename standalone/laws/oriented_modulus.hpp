@@ -47,8 +47,8 @@ struct OrientedModulus {
 
 /// M(n) for the unit direction n, Pa.
 template <class Real>
-Real modulus_along(const Vector3<Real>& direction, const OrientedModulus<Real>& modulus,
-                   const GrainAxes<Real>& axes) {
+Real modulus_along(const OrientedModulus<Real>& modulus, const GrainAxes<Real>& axes,
+                   const Vector3<Real>& direction) {
   using std::abs;
   using std::pow;
   const Real radial = dot(direction, axes.radial), tangential = dot(direction, axes.tangential());

@@ -50,11 +50,15 @@ void make_bonds(Specimen& specimen, double tolerance) {
   specimen.bond_tolerance = tolerance;
 }
 
-bool is_fibre(const Specimen& specimen, Pair pair) {
-  const double touching = specimen.radius[static_cast<std::size_t>(pair.i)] +
-                          specimen.radius[static_cast<std::size_t>(pair.j)];
+bool is_fibre(double radius_i, double radius_j, double distance, double tolerance) {
   const double margin = 1.0 + 1e-12;  // that of neighbour_pairs
-  return norm(rest_chord(specimen, pair)) > (1.0 + specimen.bond_tolerance) * touching * margin;
+  return distance > (1.0 + tolerance) * (radius_i + radius_j) * margin;
+}
+
+bool is_fibre(const Specimen& specimen, Pair pair) {
+  return is_fibre(specimen.radius[static_cast<std::size_t>(pair.i)],
+                  specimen.radius[static_cast<std::size_t>(pair.j)],
+                  norm(rest_chord(specimen, pair)), specimen.bond_tolerance);
 }
 
 std::vector<Pair> find_fibres(const Specimen& specimen, const FibreRule& rule) {

@@ -25,8 +25,9 @@ struct FibreRule {
   double alignment = 0.94;    ///< |cos| of the angle to the direction is above this, 0 to 1
 };
 
-/// Whether a pair is farther apart than the tolerance of the specimen's bonds allows: if it is
-/// bonded, then by a fibre.
+/// Whether two elements at a distance are farther apart than the tolerance of the bonds allows: if
+/// they are bonded, then by a fibre. Radii and distance in m.
+bool is_fibre(double radius_i, double radius_j, double distance, double tolerance);
 bool is_fibre(const Specimen& specimen, Pair pair);
 
 /// The pairs that fibres join: beyond the bonds' tolerance, within reach, aligned. Sorted, i < j.
