@@ -10,8 +10,8 @@
 //
 // Adds the styles of ../src to a LIGGGHTS that is already built, as a shared library. The program,
 // or the preload, that holds this file comes before the library in the dynamic linker's order, so
-// its Force::new_bond and Modify::add_fix are the ones called; they know the added styles and hand
-// everything else to the library's own.
+// its Force::new_bond, Modify::add_fix and Modify::add_compute are the ones called; they know the
+// added styles and hand everything else to the library's own.
 #include <dlfcn.h>
 
 #include <cstdio>
@@ -19,6 +19,8 @@
 #include <cstring>
 
 #include "bond_solidem_beam.h"
+#include "compute_solidem_bond.h"
+#include "compute_solidem_broken_atom.h"
 #include "fix_nve_solidem.h"
 #include "fix_solidem_bonds.h"
 #include "fix_solidem_conduction.h"
@@ -39,17 +41,24 @@ void* library_function(const char* symbol) {
   std::abort();
 }
 
-// Modify::fix_map is private; an explicit instantiation may name a private member all the same.
-template <auto Member>
-struct PrivateMember {
-  friend auto& fix_map_of(Modify& modify) { return *(modify.*Member); }
+// Modify's maps are private; an explicit instantiation may name a private member all the same.
+template <auto FixMap, auto ComputeMap>
+struct PrivateMembers {
+  friend auto& fix_map_of(Modify& modify) { return *(modify.*FixMap); }
+  friend auto& compute_map_of(Modify& modify) { return *(modify.*ComputeMap); }
 };
 auto& fix_map_of(Modify& modify);
-template struct PrivateMember<&Modify::fix_map>;
+auto& compute_map_of(Modify& modify);
+template struct PrivateMembers<&Modify::fix_map, &Modify::compute_map>;
 
 template <class Style>
 Fix* create_fix(LAMMPS* lmp, int narg, char** arg) {
   return new Style(lmp, narg, arg);
+}
+
+template <class Style>
+Compute* create_compute(LAMMPS* lmp, int iarg, int narg, char** arg) {
+  return new Style(lmp, iarg, narg, arg);
 }
 
 }  // namespace
@@ -76,6 +85,16 @@ void Modify::add_fix(int narg, char** arg, char* suffix) {
   static const AddFix library_add_fix =
       reinterpret_cast<AddFix>(library_function("_ZN9LAMMPS_NS6Modify7add_fixEiPPcS1_"));
   library_add_fix(this, narg, arg, suffix);
+}
+
+void Modify::add_compute(int narg, char** arg, char* suffix) {
+  auto& computes = compute_map_of(*this);
+  computes["solidem/bond"] = &create_compute<ComputeSolidemBond>;
+  computes["solidem/broken/atom"] = &create_compute<ComputeSolidemBrokenAtom>;
+  typedef void (*AddCompute)(Modify*, int, char**, char*);
+  static const AddCompute library_add_compute =
+      reinterpret_cast<AddCompute>(library_function("_ZN9LAMMPS_NS6Modify11add_computeEiPPcS1_"));
+  library_add_compute(this, narg, arg, suffix);
 }
 
 }  // namespace LAMMPS_NS

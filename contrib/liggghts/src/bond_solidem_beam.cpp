@@ -11,29 +11,27 @@
 
 #include <string.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
-#include "laws/beam.hpp"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "solidem_beam_words.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 
 namespace {
 
 typedef solidem::Vector3<double> Vector;
-typedef solidem::Quaternion<double> Orientation;
-
-Vector vector(const double* a) {
-  return {a[0], a[1], a[2]};
-}
-Orientation orientation_of(const double* q) {
-  return {q[0], {q[1], q[2], q[3]}};
-}
 
 void add(double* a, const Vector& b) {
   a[0] += b.x;
@@ -43,12 +41,18 @@ void add(double* a, const Vector& b) {
 
 }  // namespace
 
-BondSolidemBeam::BondSolidemBeam(LAMMPS* liggghts) : Bond(liggghts), orientation(NULL) {
-  n_granhistory(4);
+BondSolidemBeam::BondSolidemBeam(LAMMPS* liggghts)
+    : Bond(liggghts), orientation(NULL), contact_energy_(0.0), broke_(0) {
+  n_granhistory(SolidemBondMemory::ELASTIC);
 }
 
 BondSolidemBeam::~BondSolidemBeam() {
   if (allocated) memory->destroy(setflag);
+}
+
+bool BondSolidemBeam::may_break() const {
+  return std::any_of(beams.begin() + 1, beams.end(),
+                     [](const SolidemBeam& beam) { return beam.may_break(); });
 }
 
 void BondSolidemBeam::init_style() {
@@ -56,8 +60,33 @@ void BondSolidemBeam::init_style() {
     error->all(FLERR, "Bond style solidem/beam needs 'atom_style hybrid granular molecular'");
   if (modify->n_fixes_style_strict("solidem/bonds") != 1)
     error->all(FLERR, "Bond style solidem/beam needs one 'fix ID all solidem/bonds'");
+  // Both ranks of a bond across a periodic face see it with another last digit; with newton_bond on
+  // one of them decides.
+  if (may_break() && !force->newton_bond &&
+      (domain->xperiodic || domain->yperiodic || domain->zperiodic))
+    error->all(FLERR,
+               "Bond style solidem/beam: bonds that break in a periodic box need newton_bond on "
+               "('newton off on')");
   orientation = static_cast<FixPropertyAtom*>(modify->find_fix_property(
       "orientation", "property/atom", "vector", 4, 0, "bond solidem/beam"));
+}
+
+SolidemBondEnds BondSolidemBeam::ends(int& i, int& j) const {
+  if (atom->tag[i] > atom->tag[j]) std::swap(i, j);
+  const double* a = atom->x[i];
+  const double* b = atom->x[j];
+  const double* p = orientation->array_atom[i];
+  const double* q = orientation->array_atom[j];
+  return {Vector{b[0], b[1], b[2]} - Vector{a[0], a[1], a[2]},
+          {p[0], {p[1], p[2], p[3]}},
+          {q[0], {q[1], q[2], q[3]}},
+          atom->radius[i],
+          atom->radius[j]};
+}
+
+double BondSolidemBeam::share(int i, int j) const {
+  if (force->newton_bond) return 1.0;
+  return 0.5 * (i < atom->nlocal) + 0.5 * (j < atom->nlocal);
 }
 
 void BondSolidemBeam::compute(int eflag, int vflag) {
@@ -68,52 +97,48 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
 
   orientation->do_forward_comm();
 
-  double** x = atom->x;
   double** f = atom->f;
   double** torque = atom->torque;
-  double** turned = orientation->array_atom;
-  const double* radius = atom->radius;
-  const int* tag = atom->tag;
   const int nlocal = atom->nlocal;
   const int newton_bond = force->newton_bond;
+  const double step = static_cast<double>(update->ntimestep);
+  contact_energy_ = 0.0;
+  broke_ = 0;
 
   for (int n = 0; n < neighbor->nbondlist; n++) {
     int i = neighbor->bondlist[n][0];
     int j = neighbor->bondlist[n][1];
-    if (tag[i] > tag[j]) std::swap(i, j);
-    double* rest = neighbor->bondhistlist[n];
-
-    const Vector chord = vector(x[j]) - vector(x[i]);
-    if (rest[3] == 0.0) {
-      rest[3] = norm(chord);
-      add(rest, (1.0 / rest[3]) * chord);
-    }
-
-    const Section& section = sections[neighbor->bondlist[n][2]];
-    const double beam_radius =
-        section.radius > 0.0 ? section.radius : section.ratio * 0.5 * (radius[i] + radius[j]);
-    const solidem::BeamRigidity<double> rigidity = solidem::euler_bernoulli_rigidity(
-        solidem::BeamSection<double>{section.young_modulus, section.shear_modulus, beam_radius});
-    const solidem::BeamPose<double> pose = solidem::beam_pose(
-        chord, vector(rest), orientation_of(turned[i]), orientation_of(turned[j]));
-    const double rest_length = rest[3];
-    const solidem::BeamLoad<double> load = solidem::beam_load(rigidity, rest_length, pose);
+    const SolidemBondEnds place = ends(i, j);
+    const SolidemBeam& beam = beams[neighbor->bondlist[n][2]];
+    double* history = neighbor->bondhistlist[n];
+    const SolidemBondAction action = beam.act(history, place, step, eflag);
 
     if (newton_bond || i < nlocal) {
-      add(f[i], load.force);
-      add(torque[i], load.moment_i);
+      add(f[i], action.load.force);
+      add(torque[i], action.load.moment_i);
     }
     if (newton_bond || j < nlocal) {
-      add(f[j], -load.force);
-      add(torque[j], load.moment_j);
+      add(f[j], -action.load.force);
+      add(torque[j], action.load.moment_j);
     }
+    if (action.contact_energy != 0.0) contact_energy_ += share(i, j) * action.contact_energy;
+    if (action.breaks || action.forms) enter(action, share(i, j));
     if (evflag) {
-      const double energy_of_bond = eflag ? solidem::beam_energy(rigidity, rest_length, pose) : 0.0;
-      const double d[3] = {-chord.x, -chord.y, -chord.z};
-      const double force_i[3] = {load.force.x, load.force.y, load.force.z};
-      tally(i, j, energy_of_bond, d, force_i);
+      const double d[3] = {-place.chord.x, -place.chord.y, -place.chord.z};
+      const Vector& force_i = action.load.force;
+      const double on_i[3] = {force_i.x, force_i.y, force_i.z};
+      tally(i, j, action.elastic_energy + action.contact_energy, d, on_i);
     }
   }
+}
+
+void BondSolidemBeam::enter(const SolidemBondAction& action, double share) {
+  ledger.fracture_energy += share * action.fracture_energy;
+  ledger.broken += share * action.breaks;
+  ledger.formed += share * action.forms;
+  broke_ += action.breaks;
+  if (action.breaks && ledger.first_rupture == 0.0)
+    ledger.first_rupture = static_cast<double>(update->ntimestep) + 1.0;
 }
 
 /* ----------------------------------------------------------------------
@@ -147,41 +172,27 @@ void BondSolidemBeam::allocate() {
   const int n = atom->nbondtypes;
   memory->create(setflag, n + 1, "bond:setflag");
   for (int i = 1; i <= n; i++) setflag[i] = 0;
-  sections.resize(n + 1);
+  beams.assign(n + 1, SolidemBeam());
 }
 
-/* ----------------------------------------------------------------------
-   bond_coeff TYPES young_modulus shear_modulus radius R | pair RATIO
-------------------------------------------------------------------------- */
+// All bonds have rows of one width, that of the type which needs most.
+void BondSolidemBeam::widen_history() {
+  int width = SolidemBondMemory::ELASTIC;
+  for (size_t type = 1; type < beams.size(); type++) width = std::max(width, beams[type].width());
+  n_granhistory(width);
+}
 
 void BondSolidemBeam::coeff(int narg, char** arg) {
-  if (narg != 5)
-    error->all(FLERR,
-               "Bond style solidem/beam wants: bond_coeff TYPES YOUNG_MODULUS SHEAR_MODULUS and "
-               "either 'radius R' or 'pair RATIO'");
   if (!allocated) allocate();
-  Section section = {force->numeric(FLERR, arg[1]), force->numeric(FLERR, arg[2]), 0.0, 0.0};
-  if (section.young_modulus <= 0.0 || section.shear_modulus < 0.0)
-    error->all(FLERR,
-               "Bond style solidem/beam: Young's modulus must be positive, the shear modulus not "
-               "negative");
-  const double thickness = force->numeric(FLERR, arg[4]);
-  if (thickness <= 0.0)
-    error->all(FLERR, "Bond style solidem/beam: radius or ratio must be positive");
-  if (strcmp(arg[3], "radius") == 0)
-    section.radius = thickness;
-  else if (strcmp(arg[3], "pair") == 0)
-    section.ratio = thickness;
-  else
-    error->all(FLERR, "Bond style solidem/beam: 'radius' or 'pair' must follow the moduli");
-
+  const SolidemBeam beam = solidem_read_beam(lmp, narg, arg);
   int low, high;
   force->bounds(arg[0], atom->nbondtypes, low, high);
   for (int type = low; type <= high; type++) {
-    sections[type] = section;
+    beams[type] = beam;
     setflag[type] = 1;
   }
   if (low > high) error->all(FLERR, "Bond style solidem/beam: no such bond type in bond_coeff");
+  widen_history();
 }
 
 // Every bond has its own rest length, a type has none.
@@ -190,34 +201,30 @@ double BondSolidemBeam::equilibrium_distance(int) {
 }
 
 void BondSolidemBeam::write_restart(FILE* fp) {
-  fwrite(&sections[1], sizeof(Section), atom->nbondtypes, fp);
+  fwrite(&beams[1], sizeof(SolidemBeam), atom->nbondtypes, fp);
 }
 
 void BondSolidemBeam::read_restart(FILE* fp) {
   allocate();
   const int n = atom->nbondtypes;
-  if (comm->me == 0 && fread(&sections[1], sizeof(Section), n, fp) != static_cast<size_t>(n))
+  if (comm->me == 0 && fread(&beams[1], sizeof(SolidemBeam), n, fp) != static_cast<size_t>(n))
     error->one(FLERR, "The restart file ends inside the coefficients of bond style solidem/beam");
-  MPI_Bcast(&sections[1], n * sizeof(Section), MPI_BYTE, 0, world);
+  MPI_Bcast(&beams[1], n * sizeof(SolidemBeam), MPI_BYTE, 0, world);
   for (int i = 1; i <= n; i++) setflag[i] = 1;
+  widen_history();
 }
 
 void BondSolidemBeam::write_data(FILE* fp) {
-  for (int i = 1; i <= atom->nbondtypes; i++) {
-    const bool fixed = sections[i].radius > 0.0;
-    fprintf(fp, "%d %.17g %.17g %s %.17g\n", i, sections[i].young_modulus,
-            sections[i].shear_modulus, fixed ? "radius" : "pair",
-            fixed ? sections[i].radius : sections[i].ratio);
-  }
+  for (int i = 1; i <= atom->nbondtypes; i++)
+    fprintf(fp, "%d %s\n", i, solidem_write_beam(beams[i]).c_str());
 }
 
 // `compute bond/local` asks by type and atoms only: neither the history nor the moments can be
 // told.
 double BondSolidemBeam::single(int, double, int, int, double& fforce) {
-  error->all(
-      FLERR,
-      "Bond style solidem/beam cannot tell a single bond's energy or force: use the per-atom "
-      "energy (compute pe/atom bond) and forces");
+  error->all(FLERR,
+             "Bond style solidem/beam cannot tell a single bond's energy or force by its type: use "
+             "compute solidem/bond");
   fforce = 0.0;
   return 0.0;
 }

@@ -21,13 +21,20 @@ BondStyle(solidem/beam,BondSolidemBeam)
 #include <vector>
 
 #include "bond.h"
+#include "solidem_beam.h"
 
 namespace LAMMPS_NS {
 
-/// Elastic Euler-Bernoulli beam between the centres of two spheres; the law is
-/// laws/beam.hpp. History of a bond, from the lower tag to the higher: rest
-/// direction (3, body axes of both atoms) and rest length; a rest length of zero marks a bond not
-/// yet seen.
+/// What happened to the bonds of this rank so far.
+struct SolidemLedger {
+  double broken = 0.0, formed = 0.0;
+  double fracture_energy = 0.0;
+  double first_rupture = 0.0;  ///< step plus one; 0: none
+};
+
+/// Beam between the centres of two spheres, elastic, plastic or brittle. What one bond does is in
+/// solidem_beam.h; this style finds the bonds and hands their loads on. History of a bond:
+/// SolidemBondMemory.
 class BondSolidemBeam : public Bond {
  public:
   BondSolidemBeam(class LAMMPS*);
@@ -41,16 +48,28 @@ class BondSolidemBeam : public Bond {
   void write_data(FILE*);
   double single(int, double, int, int, double&);
 
+  const SolidemBeam& beam(int type) const { return beams[type]; }
+  bool may_break() const;
+  /// The ends of a bond between two atoms of this rank, ghosts included; i is made the lower tag.
+  SolidemBondEnds ends(int& i, int& j) const;
+  /// How many bonds of this rank broke at the last step.
+  int broke() const { return broke_; }
+  /// Energy of the contacts of broken bonds at the last step, this rank's share.
+  double contact_energy() const { return contact_energy_; }
+  /// This rank's share of a bond: 1, or 1/2 when another rank has the bond too.
+  double share(int i, int j) const;
+
+  SolidemLedger ledger;
+
  private:
-  /// One bond type. `radius` > 0: the beam's radius; else `ratio` times the mean of the two
-  /// spheres'.
-  struct Section {
-    double young_modulus, shear_modulus, radius, ratio;
-  };
-  std::vector<Section> sections;
+  std::vector<SolidemBeam> beams;  // by bond type
   class FixPropertyAtom* orientation;
+  double contact_energy_;
+  int broke_;
 
   void allocate();
+  void widen_history();
+  void enter(const SolidemBondAction& action, double share);
   void tally(int, int, double, const double*, const double*);
 };
 

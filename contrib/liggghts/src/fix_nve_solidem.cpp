@@ -21,7 +21,11 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 FixNVESolidem::FixNVESolidem(LAMMPS* liggghts, int narg, char** arg)
-    : Fix(liggghts, narg, arg), half_step_over_force_unit(0.0), step(0.0), orientation(NULL) {
+    : Fix(liggghts, narg, arg),
+      half_step_over_force_unit(0.0),
+      step(0.0),
+      orientation(NULL),
+      removed(NULL) {
   if (narg != 3) error->fix_error(FLERR, this, "takes no arguments");
   if (!atom->sphere_flag)
     error->fix_error(FLERR, this, "needs 'atom_style hybrid granular molecular'");
@@ -38,6 +42,12 @@ void FixNVESolidem::init() {
       modify->find_fix_property("orientation", "property/atom", "vector", 4, 0, style, false));
   if (!orientation)
     error->fix_error(FLERR, this, "needs the orientations of 'fix ID all solidem/bonds'");
+  removed = static_cast<FixPropertyAtom*>(
+      modify->find_fix_property("removedAtom", "property/atom", "scalar", 0, 0, style, false));
+}
+
+bool FixNVESolidem::moves(int i) const {
+  return (atom->mask[i] & groupbit) && !(removed && removed->vector_atom[i] != 0.0);
 }
 
 void FixNVESolidem::reset_dt() {
@@ -58,7 +68,7 @@ void FixNVESolidem::kick(int i) {
 
 void FixNVESolidem::initial_integrate(int) {
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
+    if (!moves(i)) continue;
     kick(i);
     for (int k = 0; k < 3; k++) atom->x[i][k] += step * atom->v[i][k];
     double* q = orientation->array_atom[i];
@@ -75,5 +85,5 @@ void FixNVESolidem::initial_integrate(int) {
 
 void FixNVESolidem::final_integrate() {
   for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) kick(i);
+    if (moves(i)) kick(i);
 }

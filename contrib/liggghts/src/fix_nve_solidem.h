@@ -35,8 +35,9 @@ class FixNVESolidem : public Fix {
 
  private:
   double half_step_over_force_unit, step;
-  class FixPropertyAtom* orientation;
+  class FixPropertyAtom *orientation, *removed;
 
+  bool moves(int) const;
   void kick(int);
 };
 

@@ -12,25 +12,49 @@
 #include <string.h>
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 #include "atom.h"
 #include "atom_vec.h"
-#include "bond.h"
+#include "bond_solidem_beam.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_property_atom.h"
+#include "fix_solidem_conduction.h"
 #include "force.h"
+#include "laws/rigid_sphere.hpp"
 #include "modify.h"
 #include "neighbor.h"
 #include "solidem_reach.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
+namespace {
+
+typedef SolidemBondMemory Row;
+
+// Comm packs an atom's data behind slack of a thousand numbers; other fixes want some too.
+const int MOST_NUMBERS_OF_AN_ATOM = 800;
+
+}  // namespace
+
 FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
-    : Fix(liggghts, narg, arg), history(NULL), list_is_current(false) {
-  if (narg != 3) error->fix_error(FLERR, this, "takes no arguments");
+    : Fix(liggghts, narg, arg),
+      history(NULL),
+      list_is_current(false),
+      minimal_bonds(0),
+      beams(NULL),
+      lost(NULL),
+      removed(NULL),
+      gone_plastic_work(0.0) {
+  if (narg != 3 && (narg != 5 || strcmp(arg[3], "minimal_bonds") != 0))
+    error->fix_error(FLERR, this, "takes no arguments but 'minimal_bonds N'");
+  if (narg == 5) minimal_bonds = force->inumeric(FLERR, arg[4]);
+  if (minimal_bonds < 0) error->fix_error(FLERR, this, "minimal_bonds must not be negative");
   if (igroup != 0) error->fix_error(FLERR, this, "must be used with group 'all'");
   if (!atom->avec->bonds_allow)
     error->fix_error(FLERR, this, "needs 'atom_style hybrid granular molecular'");
@@ -38,6 +62,11 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
     error->fix_error(FLERR, this, "comes after 'bond_style', with a bond style that keeps history");
   if (atom->bond_hist) error->fix_error(FLERR, this, "the bonds' history already has an owner");
 
+  vector_flag = 1;
+  size_vector = 7;
+  global_freq = 1;
+  extvector = 1;
+  comm_reverse = 2;
   restart_global = 1;
   restart_peratom = 1;
   history = new SolidemBondValues(liggghts, atom->bond_hist, atom->n_bondhist);
@@ -54,21 +83,47 @@ FixSolidemBonds::~FixSolidemBonds() {
 }
 
 void FixSolidemBonds::post_create() {
-  if (modify->find_fix_property("orientation", "property/atom", "vector", 4, 0, style, false))
-    return;
-  const char* orientation[] = {
-      "orientation", "all", "property/atom", "orientation", "vector", "yes", "yes", "no", "1", "0",
-      "0",           "0"};
-  modify->add_fix_property_atom(12, const_cast<char**>(orientation), style);
+  if (!modify->find_fix_property("orientation", "property/atom", "vector", 4, 0, style, false)) {
+    const char* orientation[] = {"orientation", "all",    "property/atom",
+                                 "orientation", "vector", "yes",
+                                 "yes",         "no",     "1",
+                                 "0",           "0",      "0"};
+    modify->add_fix_property_atom(12, const_cast<char**>(orientation), style);
+  }
+  find_properties();
+}
+
+void FixSolidemBonds::find_properties() {
+  beams = dynamic_cast<BondSolidemBeam*>(force->bond);
+  if (beams && beams->may_break()) lost = property("lostBonds", "no", "yes");
+  if (minimal_bonds > 0) removed = property("removedAtom", "yes", "no");
+}
+
+// A number of every atom, zero at first; made if there is none.
+FixPropertyAtom* FixSolidemBonds::property(const char* name, const char* forward,
+                                           const char* reverse) {
+  Fix* found = modify->find_fix_property(name, "property/atom", "scalar", 0, 0, style, false);
+  if (found) return static_cast<FixPropertyAtom*>(found);
+  const char* command[] = {name,  "all",   "property/atom", name, "scalar",
+                           "yes", forward, reverse,         "0"};
+  return modify->add_fix_property_atom(9, const_cast<char**>(command), style);
 }
 
 int FixSolidemBonds::setmask() {
-  return PRE_EXCHANGE | PRE_FORCE;
+  return PRE_EXCHANGE | PRE_FORCE | POST_FORCE;
 }
 
 void FixSolidemBonds::init() {
   if (!force->bond || atom->n_bondhist != history->width())
-    error->fix_error(FLERR, this, "the bond style was changed: define the fix again after it");
+    error->fix_error(
+        FLERR, this,
+        "the bonds' history has another width now: define the fix after bond_style and "
+        "every bond_coeff");
+  find_properties();
+  if (minimal_bonds > 0 && !lost)
+    error->fix_error(FLERR, this, "minimal_bonds needs bond_style solidem/beam with rupture");
+  if (history->most_numbers_of_an_atom() > MOST_NUMBERS_OF_AN_ATOM)
+    error->fix_error(FLERR, this, "an atom has too many bonds for the buffers of LIGGGHTS");
 }
 
 // The neighbour lists were just built: from now on the bond style works on neighbor->bondhistlist.
@@ -87,10 +142,20 @@ void FixSolidemBonds::setup_pre_exchange() {
 
 void FixSolidemBonds::pre_exchange() {
   store_history();
+  drop_gone_bonds();
 }
 
 void FixSolidemBonds::post_run() {
   store_history();
+  drop_gone_bonds();
+}
+
+void FixSolidemBonds::setup(int) {
+  remove_atoms();
+}
+
+void FixSolidemBonds::post_force(int) {
+  remove_atoms();
 }
 
 double FixSolidemBonds::extend_cut_ghost() {
@@ -130,6 +195,157 @@ void FixSolidemBonds::store_history() {
 }
 
 /* ----------------------------------------------------------------------
+   bonds that are gone for good leave the lists: their atoms may part, and
+   would not be found. The history is with the atoms, ghosts are still known
+------------------------------------------------------------------------- */
+
+void FixSolidemBonds::drop_gone_bonds() {
+  if (!lost) return;
+  double* lost_bonds = lost->vector_atom;
+  std::fill_n(lost_bonds + atom->nlocal, atom->nghost, 0.0);
+  double dropped = 0.0, all_dropped;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = atom->num_bond[i] - 1; m >= 0; m--) {
+      const double* memory_of_bond = atom->bond_hist[i][m];
+      if (memory_of_bond[Row::RUPTURE] != Row::GONE) continue;
+      const double share = force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
+      gone_plastic_work += share * memory_of_bond[Row::PLASTIC_WORK];
+      lost_bonds[i] += 1.0;
+      if (force->newton_bond) lost_bonds[atom->map(atom->bond_atom[i][m])] += 1.0;
+      dropped += share;
+
+      history->forget(i, m);
+      for (int k = 0; k < modify->nfix; k++)
+        if (FixSolidemConduction* heat = dynamic_cast<FixSolidemConduction*>(modify->fix[k]))
+          heat->forget_bond(i, m);
+      const int last = --atom->num_bond[i];
+      atom->bond_atom[i][m] = atom->bond_atom[i][last];
+      atom->bond_type[i][m] = atom->bond_type[i][last];
+    }
+  MPI_Allreduce(&dropped, &all_dropped, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (all_dropped == 0.0) return;
+  atom->nbonds -= static_cast<bigint>(all_dropped + 0.5);
+  if (force->newton_bond) lost->do_reverse_comm();
+}
+
+/* ----------------------------------------------------------------------
+   atoms that lost bonds and keep too few are taken out, which may leave
+   their neighbours with too few
+------------------------------------------------------------------------- */
+
+void FixSolidemBonds::remove_atoms() {
+  if (minimal_bonds == 0) return;
+  int broke = beams->broke(), any;
+  MPI_Allreduce(&broke, &any, 1, MPI_INT, MPI_MAX, world);
+  while (any) {
+    count_bonds();
+    int loose = mark_loose_atoms();
+    MPI_Allreduce(&loose, &any, 1, MPI_INT, MPI_MAX, world);
+    if (any) cut_bonds_of_removed_atoms();
+  }
+}
+
+void FixSolidemBonds::count_bonds() {
+  const int all = atom->nlocal + atom->nghost;
+  whole_bonds.assign(all, 0.0);
+  broken_bonds.assign(all, 0.0);
+  std::copy_n(lost->vector_atom, atom->nlocal, broken_bonds.begin());
+  for (int n = 0; n < neighbor->nbondlist; n++) {
+    const bool whole = neighbor->bondhistlist[n][Row::RUPTURE] == 0.0;
+    for (int side = 0; side < 2; side++)
+      (whole ? whole_bonds : broken_bonds)[neighbor->bondlist[n][side]] += 1.0;
+  }
+  if (force->newton_bond) comm->reverse_comm_fix(this);
+}
+
+int FixSolidemBonds::pack_reverse_comm(int n, int first, double* buffer) {
+  for (int i = first; i < first + n; i++) {
+    *buffer++ = whole_bonds[i];
+    *buffer++ = broken_bonds[i];
+  }
+  return comm_reverse;
+}
+
+void FixSolidemBonds::unpack_reverse_comm(int n, int* list, double* buffer) {
+  for (int k = 0; k < n; k++) {
+    whole_bonds[list[k]] += *buffer++;
+    broken_bonds[list[k]] += *buffer++;
+  }
+}
+
+// Their motion ends, with its energy, and they stay where they are; whether there are any.
+bool FixSolidemBonds::mark_loose_atoms() {
+  bool any = false;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (removed->vector_atom[i] != 0.0 || broken_bonds[i] == 0.0 || whole_bonds[i] >= minimal_bonds)
+      continue;
+    any = true;
+    removed->vector_atom[i] = 1.0;
+    double* v = atom->v[i];
+    double* omega = atom->omega[i];
+    const double inertia = solidem::sphere_inertia(atom->rmass[i], atom->radius[i]);
+    for (int k = 0; k < 3; k++) {
+      beams->ledger.fracture_energy +=
+          0.5 * force->mvv2e * (atom->rmass[i] * v[k] * v[k] + inertia * omega[k] * omega[k]);
+      v[k] = omega[k] = 0.0;
+    }
+  }
+  removed->do_forward_comm();
+  return any;
+}
+
+void FixSolidemBonds::cut_bonds_of_removed_atoms() {
+  const double step = static_cast<double>(update->ntimestep);
+  for (int n = 0; n < neighbor->nbondlist; n++) {
+    int i = neighbor->bondlist[n][0], j = neighbor->bondlist[n][1];
+    double* memory_of_bond = neighbor->bondhistlist[n];
+    if (removed->vector_atom[i] == 0.0 && removed->vector_atom[j] == 0.0) continue;
+    if (memory_of_bond[Row::RUPTURE] == Row::GONE) continue;
+    const double share = beams->share(i, j);
+    if (memory_of_bond[Row::RUPTURE] == 0.0) beams->ledger.broken += share;
+    const SolidemBeam& beam = beams->beam(neighbor->bondlist[n][2]);
+    beams->ledger.fracture_energy += share * beam.cut(memory_of_bond, beams->ends(i, j), step);
+  }
+}
+
+const double* FixSolidemBonds::lost_bonds() const {
+  return lost ? lost->vector_atom : NULL;
+}
+
+double FixSolidemBonds::plastic_work() {
+  const bool running = list_is_current;
+  store_history();
+  list_is_current = running;
+  double work = gone_plastic_work;
+  const double share = force->newton_bond ? 1.0 : 0.5;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      work += share * atom->bond_hist[i][m][Row::PLASTIC_WORK];
+  return work;
+}
+
+double FixSolidemBonds::compute_vector(int n) {
+  if (!beams || history->width() < Row::CHANGING) return n == 6 ? -1.0 : 0.0;
+  const SolidemLedger& ledger = beams->ledger;
+  double here = 0.0, all;
+  if (n == 6) {
+    const double never = std::numeric_limits<double>::infinity();
+    here = ledger.first_rupture == 0.0 ? never : ledger.first_rupture - 1.0;
+    MPI_Allreduce(&here, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+    return all == never ? -1.0 : all;
+  }
+  if (n == 0) here = plastic_work();
+  if (n == 1) here = ledger.fracture_energy;
+  if (n == 2) here = ledger.broken;
+  if (n == 3) here = beams->contact_energy();
+  if (n == 4 && removed)
+    here = std::accumulate(removed->vector_atom, removed->vector_atom + atom->nlocal, 0.0);
+  if (n == 5) here = ledger.formed;
+  MPI_Allreduce(&here, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ----------------------------------------------------------------------
    restart files may be written in mid-run: store first, the atoms follow
 ------------------------------------------------------------------------- */
 
@@ -137,18 +353,32 @@ void FixSolidemBonds::write_restart(FILE* fp) {
   const bool running = list_is_current;
   store_history();
   list_is_current = running;
+
+  SolidemLedger mine;
+  if (beams) mine = beams->ledger;
+  const double never = std::numeric_limits<double>::max();
+  double sums[4] = {mine.broken, mine.formed, mine.fracture_energy, gone_plastic_work};
+  double first = mine.first_rupture == 0.0 ? never : mine.first_rupture;
+  double stored[6];
+  MPI_Reduce(sums, stored + 1, 4, MPI_DOUBLE, MPI_SUM, 0, world);
+  MPI_Reduce(&first, stored + 5, 1, MPI_DOUBLE, MPI_MIN, 0, world);
   if (comm->me != 0) return;
-  const int bytes = sizeof(double);
-  const double width = history->width();
+  stored[0] = history->width();
+  if (stored[5] == never) stored[5] = 0.0;
+  const int bytes = sizeof stored;
   fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(&width, sizeof(double), 1, fp);
+  fwrite(stored, sizeof(double), 6, fp);
 }
 
 void FixSolidemBonds::restart(char* buffer) {
-  double width;
-  memcpy(&width, buffer, sizeof(double));
-  if (static_cast<int>(width) != history->width())
+  double stored[6];
+  memcpy(stored, buffer, sizeof stored);
+  if (static_cast<int>(stored[0]) != history->width())
     error->fix_error(FLERR, this, "the restart file holds another bond style's history");
+  BondSolidemBeam* bonds = dynamic_cast<BondSolidemBeam*>(force->bond);
+  if (!bonds || comm->me != 0) return;
+  bonds->ledger = {stored[1], stored[2], stored[3], stored[5]};
+  gone_plastic_work = stored[4];
 }
 
 void FixSolidemBonds::grow_arrays(int nmax) {

@@ -18,6 +18,8 @@ FixStyle(solidem/bonds,FixSolidemBonds)
 #ifndef LMP_FIX_SOLIDEM_BONDS_H
 #define LMP_FIX_SOLIDEM_BONDS_H
 
+#include <vector>
+
 #include "fix.h"
 #include "solidem_bond_values.h"
 
@@ -25,7 +27,9 @@ namespace LAMMPS_NS {
 
 /// The memory of a bonded solid: owns atom->bond_hist for the bond style in use, and the
 /// orientation of every atom (a `fix property/atom` of that name). No atom style of its own is
-/// needed.
+/// needed. Bonds that are gone for good leave the atoms' lists here, and atoms that are left with
+/// too few are taken out. Global vector: plastic work, fracture energy, broken bonds, contact
+/// energy, removed atoms, bonds formed, step of the first rupture (-1: none).
 class FixSolidemBonds : public Fix {
  public:
   FixSolidemBonds(class LAMMPS*, int, char**);
@@ -35,10 +39,16 @@ class FixSolidemBonds : public Fix {
   void init();
   void setup_pre_force(int);
   void pre_force(int);
+  void setup(int);
+  void post_force(int);
   void setup_pre_exchange();
   void pre_exchange();
   void post_run();
   double extend_cut_ghost();
+  double compute_vector(int);
+
+  /// Bonds that atoms have lost and that stand in no list any more; NULL when bonds cannot break.
+  const double* lost_bonds() const;
 
   void write_restart(FILE*);
   void restart(char*);
@@ -52,12 +62,28 @@ class FixSolidemBonds : public Fix {
   int size_restart(int);
   int maxsize_restart();
   double memory_usage();
+  int pack_reverse_comm(int, int, double*);
+  void unpack_reverse_comm(int, int*, double*);
 
  private:
   SolidemBondValues* history;
   bool list_is_current;  // does neighbor->bondhistlist hold newer history than atom->bond_hist?
 
+  int minimal_bonds;             // atoms that lost bonds and keep fewer are removed; 0: never
+  class BondSolidemBeam* beams;  // NULL: another bond style
+  class FixPropertyAtom *lost, *removed;
+  double gone_plastic_work;                       // of bonds that left the lists of this rank
+  std::vector<double> whole_bonds, broken_bonds;  // of every atom, ghosts included
+
+  void find_properties();
+  class FixPropertyAtom* property(const char* name, const char* forward, const char* reverse);
   void store_history();
+  void drop_gone_bonds();
+  void remove_atoms();
+  void count_bonds();
+  bool mark_loose_atoms();
+  void cut_bonds_of_removed_atoms();
+  double plastic_work();
 };
 
 }  // namespace LAMMPS_NS

@@ -49,6 +49,12 @@ void SolidemBondValues::clear(int i) {
   for (int m = 0; m < bonds_per_atom_; m++) std::fill_n(array_[i][m], width_, 0.0);
 }
 
+void SolidemBondValues::forget(int i, int m) {
+  const int last = atom->num_bond[i] - 1;
+  if (m != last) std::copy_n(array_[i][last], width_, array_[i][m]);
+  std::fill_n(array_[i][last], width_, 0.0);
+}
+
 int SolidemBondValues::pack_exchange(int i, double* buffer) const {
   int n = 0;
   buffer[n++] = atom->num_bond[i];
@@ -88,4 +94,10 @@ int SolidemBondValues::maxsize_restart() const {
 
 double SolidemBondValues::memory_usage() const {
   return static_cast<double>(rows_) * bonds_per_atom_ * (width_ * sizeof(double) + sizeof(double*));
+}
+
+int SolidemBondValues::most_numbers_of_an_atom() const {
+  int most = 0;
+  for (int i = 0; i < atom->nlocal; i++) most = std::max(most, atom->num_bond[i]);
+  return 1 + most * width_;
 }

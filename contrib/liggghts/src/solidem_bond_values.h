@@ -27,6 +27,8 @@ class SolidemBondValues : protected Pointers {
   void grow(int nmax);
   void copy(int from, int to);
   void clear(int i);
+  /// Forgets bond m of atom i, which is about to leave the list: the last one takes its place.
+  void forget(int i, int m);
   int pack_exchange(int i, double* buffer) const;
   int unpack_exchange(int i, const double* buffer);
   int pack_restart(int i, double* buffer) const;
@@ -34,6 +36,8 @@ class SolidemBondValues : protected Pointers {
   int size_restart(int i) const;
   int maxsize_restart() const;
   double memory_usage() const;
+  /// What the fullest atom of this rank takes along when it migrates.
+  int most_numbers_of_an_atom() const;
 
  private:
   double***& array_;
