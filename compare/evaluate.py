@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from compare import beam_modes, heat_measures  # noqa: F401  (makes their measures known)
+from compare import (beam_modes, beam_yield, heat_measures,  # noqa: F401  (makes their
+                     slender_beams)  # measures known)
 from compare.case import Case, CaseError, Check, Variant, read_case
 from compare.codes.base import Code
 from compare.measures import MEASURES

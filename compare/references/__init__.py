@@ -3,14 +3,20 @@
 
 from __future__ import annotations
 
-from compare.references.beam import beam_stiffness
+from compare.references.beam import (beam_stiffness, bilinear_stress, cyclic_stress,
+                                     scaled_offset_stress, spring_stiffness)
 from compare.references.bessel import bessel_j1
 from compare.references.lattice import finite_difference_step
 from compare.references.layers import Layer, layers_temperature
 from compare.references.moving_disc import MovingDisc, moving_disc_temperature
 from compare.references.rod import rod_temperature
+from compare.references.slender_beam import (cantilever_frequencies, cantilever_roots,
+                                             circular_second_moment, collapse_load,
+                                             tip_deflection)
 from compare.references.wedge import wedge_temperature
 
-__all__ = ["Layer", "MovingDisc", "beam_stiffness", "bessel_j1", "finite_difference_step",
-           "layers_temperature", "moving_disc_temperature", "rod_temperature",
-           "wedge_temperature"]
+__all__ = ["Layer", "MovingDisc", "beam_stiffness", "bessel_j1", "bilinear_stress",
+           "cantilever_frequencies", "cantilever_roots", "circular_second_moment",
+           "collapse_load", "cyclic_stress", "finite_difference_step", "layers_temperature",
+           "moving_disc_temperature", "rod_temperature", "scaled_offset_stress",
+           "spring_stiffness", "tip_deflection", "wedge_temperature"]
