@@ -25,16 +25,22 @@ SERIES_TIMES, SERIES_MODES = 400, 400
 class OneRun(CaseRuns):
     """One run that is over, in the form that measures look at."""
 
-    def __init__(self, case: Case, job: Job, result: Result, kept: dict[Any, Any]):
+    def __init__(self, case: Case, job: Job, result: Result, kept: dict[Any, Any],
+                 reference: Result | None = None):
         """`kept` is shared by all runs of a study."""
         self.case, self._job, self._result, self.kept = case, job, result, kept
+        self._reference = reference
 
     def job(self, variant: str) -> Job:
         """What the code was given."""
         return self._job
 
     def result(self, variant: str, code: str) -> Result:
-        """What it brought back."""
+        """What it brought back, or what the reference did."""
+        if code == "reference":
+            if self._reference is None:
+                raise CodeFailure("the measure needs a reference; the study names none")
+            return self._reference
         return self._result
 
 
@@ -64,15 +70,73 @@ def error_in_rise(view: View) -> Measured:
     return Measured(float(np.abs(view.tested.history[name] - right).max() / np.ptp(exact)))
 
 
+def _curve(view: View, result: Result) -> tuple[Floats, Floats]:
+    """Columns `x` and `y` (options) of a history."""
+    for name in (view.option("x"), view.option("y")):
+        if name not in result.history:
+            raise CodeFailure(f"{result.code} has no column {name} in its history")
+    return result.history[view.option("x")], result.history[view.option("y")]
+
+
+def _part(view: View, x: Floats) -> Floats:
+    """Rows with x in [`from`, `to`] (options), as part of the largest |x|."""
+    share = np.abs(x) / float(np.abs(x).max())
+    rows: Floats = np.flatnonzero((share >= view.option("from")) & (share <= view.option("to")))
+    if len(rows) < 5:
+        raise CodeFailure(f"{len(rows)} rows of the history lie in the part to be measured; "
+                          "5 are needed")
+    return rows
+
+
+@measure
+def curve_error(view: View) -> Measured:
+    """Largest difference of a curve from the reference's / the reference's largest value.
+
+    Options: `x`, `y` (columns of the history), `from`, `to` (the part of x that counts). The
+    reference is read between its rows.
+    """
+    x, y = _curve(view, view.tested)
+    right_x, right_y = _curve(view, view.other)
+    rows = _part(view, x)
+    right = np.interp(x[rows], right_x, right_y)
+    return Measured(float(np.abs(y[rows] - right).max() / np.abs(right_y).max()))
+
+
+@measure
+def slope_error(view: View) -> Measured:
+    """Relative difference of the slope of a curve from the reference's.
+
+    Options as of curve_error; the slope is that of a straight line fitted to the part.
+    """
+    slopes = []
+    for result in (view.tested, view.other):
+        x, y = _curve(view, result)
+        rows = _part(view, x)
+        slopes.append(float(np.polyfit(x[rows], y[rows], 1)[0]))
+    return Measured(abs(slopes[0] / slopes[1] - 1))
+
+
+@measure
+def mean_error(view: View) -> Measured:
+    """Relative difference of the mean of `y` over a part of the curve; options as of curve_error.
+    """
+    means = []
+    for result in (view.tested, view.other):
+        x, y = _curve(view, result)
+        means.append(float(y[_part(view, x)].mean()))
+    return Measured(abs(means[0] / means[1] - 1))
+
+
 def errors(study: Study, reading: Reading, job: Job, result: Result,
-           kept: dict[Any, Any]) -> dict[str, float]:
+           kept: dict[Any, Any], reference: Result | None = None) -> dict[str, float]:
     """The reading's errors by name; CodeFailure when the result cannot be measured."""
     variant = Variant("run", (result.code,))
     case = Case(study.name, study.title, study.path, None, (variant,), (), options=study.options)
-    runs = OneRun(case, job, result, kept)
+    runs = OneRun(case, job, result, kept, reference)
     found = {}
     for name, options in reading.options.items():
-        check = Check(name, reading.measure, "A", result.code, "exact", 1.0, "", options=options)
+        check = Check(name, reading.measure, "A", result.code,
+                      "reference" if reading.reference else "exact", 1.0, "", options=options)
         found[name] = MEASURES[reading.measure](View(runs, check, variant)).error
         if not np.isfinite(found[name]):
             raise CodeFailure(f"{name} is {found[name]}")

@@ -26,11 +26,10 @@ def seconds(time: float | None) -> str:
     return "not told" if time is None or not math.isfinite(time) else f"{float(f'{time:.2g}'):g} s"
 
 
-def _way(study: Study, m: Median) -> str:
-    """How a point is computed; settings that the study hardly varies go without saying."""
-    shown = ["law", "elements", "method"] + (
-        ["code"] if m.labels.get("code", "standalone") != "standalone" else []) + (
-        ["instructions"] if m.labels.get("instructions", "best") != "best" else [])
+def _way(study: Study, m: Median, but: str = "") -> str:
+    """How a point is computed, all `but` one axis; what is the rule goes without saying."""
+    rule = {"code": "standalone", "instructions": "best"}
+    shown = [axis for axis in study.axes if axis != but and m.labels.get(axis) != rule.get(axis)]
     words = [f"{m.labels[k]} elements" if k == "elements" else m.labels[k]
              for k in shown if k in m.labels]
     return ", ".join(words)
@@ -70,8 +69,7 @@ def _levels(document: Document, study: Study, points: Sequence[Median]) -> None:
         for level in LEVELS:
             m = cheapest(own, level)
             row.append("not reached" if m is None else
-                       f"{seconds(m.whole_seconds)} ({m.labels['elements']} elements, "
-                       f"{m.labels['method']})")
+                       f"{seconds(m.whole_seconds)} ({_way(study, m, but='law')})")
         table.append([*row, f"{percent(best.error)} ({best.labels['elements']} elements)"])
     document.paragraph("Each law by itself, set-up and steps:")
     document.table(["law", *(f"{percent(e)}" for e in LEVELS), "least error of all"], table)
@@ -119,7 +117,7 @@ def _knobs(document: Document, found: list[Gain]) -> None:
         "comes from the law or the size of the elements, a finer step cannot help.")
 
 
-def _codes(document: Document, points: Sequence[Median]) -> None:
+def _codes(document: Document, study: Study, points: Sequence[Median]) -> None:
     """The same points in other codes."""
     def rest(m: Median) -> tuple[tuple[str, str], ...]:
         return tuple((k, v) for k, v in m.labels.items() if k != "code")
@@ -129,28 +127,46 @@ def _codes(document: Document, points: Sequence[Median]) -> None:
         if m.labels.get("code", "standalone") == "standalone" or rest(m) not in own:
             continue
         base = own[rest(m)]
-        rows.append([m.labels["code"], m.labels["law"], m.labels["elements"], percent(m.error),
+        rows.append([m.labels["code"], _way(study, base), percent(m.error),
                      percent(base.error), seconds(m.seconds), seconds(base.seconds),
                      f"{m.seconds / base.seconds:.3g}"])
     if rows:
         document.heading(3, "The same in other codes")
-        document.table(["code", "law", "elements", "error", "error of the standalone program",
+        document.table(["code", "way", "error", "error of the standalone program",
                         "steps", "steps of the standalone program", "times as long"], rows)
 
 
+def _reading(document: Document, study: Study, points: Sequence[Median], picture: Path) -> None:
+    """What one reading of the runs says: picture, levels, knobs."""
+    draw(study, points, picture)
+    document.picture(picture, f"error against wall time, {study.title}, {points[0].reading}")
+    ours = [m for m in points if m.labels.get("code", "standalone") == "standalone"]
+    _levels(document, study, points)
+    _knobs(document, gains(study, ours))
+
+
 def _readings(document: Document, study: Study, points: Sequence[Median]) -> None:
-    """What other readings of the same runs give."""
+    """What other readings of the same runs give, those without a picture of their own."""
     first = {tuple(m.labels.items()): m for m in points if m.reading == study.readings[0].name}
     for reading in study.readings[1:]:
         words = []
         for law in (v.labels["law"] for v in study.axes["law"]):
             factors = [m.error / first[tuple(m.labels.items())].error for m in points
                        if m.reading == reading.name and m.labels["law"] == law]
-            if factors:
+            if factors and not reading.panel:
                 words.append(f"{_factor(statistics.median(factors))} ({law})")
-        document.paragraph(f"Read by “{reading.name}” in place of "
-                           f"“{study.readings[0].name}”, the same runs have other errors, at no "
-                           f"cost: {', '.join(words)}.")
+        if words:
+            document.paragraph(f"Read by “{reading.name}” in place of “{study.readings[0].name}”, "
+                               f"the same runs have other errors, at no cost: {', '.join(words)}.")
+
+
+def _panels(document: Document, study: Study, points: Sequence[Median], folder: Path) -> None:
+    """Other readings that have a picture of their own."""
+    for number, reading in enumerate(study.readings[1:], 2):
+        own = [m for m in points if m.reading == reading.name]
+        if reading.panel and own:
+            document.heading(2, f"{study.title}: {reading.name}")
+            _reading(document, study, own, folder / f"{study.name}_{number}.png")
 
 
 def _front(document: Document, study: Study, points: Sequence[Median]) -> None:
@@ -202,14 +218,10 @@ def write_page(folder: Path, studies: list[Study], points: list[Median],
         document.paragraph(f"{study.about} Error: {study.error}.")
         main = [m for m in own if m.reading == study.readings[0].name]
         if main:
-            picture = folder / f"{study.name}.png"
-            draw(study, main, picture)
-            document.picture(picture, f"error against wall time, {study.title}")
-            ours = [m for m in main if m.labels.get("code", "standalone") == "standalone"]
-            _levels(document, study, main)
-            _knobs(document, gains(study, ours))
+            _reading(document, study, main, folder / f"{study.name}.png")
             _readings(document, study, own)
-            _codes(document, main)
+            _codes(document, study, main)
             _front(document, study, main)
         _left_out(document, study, [o for o in omissions if o.study == study.name])
+        _panels(document, study, own, folder)
     document.write(folder)

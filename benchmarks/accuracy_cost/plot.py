@@ -26,12 +26,12 @@ def _words(points: Sequence[Median], label: str) -> list[str]:
     return list(dict.fromkeys(m.labels[label] for m in points if label in m.labels))
 
 
-def _scatter(axes: Axes, points: Sequence[Median], laws: list[str], integrators: list[str],
+def _scatter(axes: Axes, points: Sequence[Median], label: str, laws: list[str], words: list[str],
              codes: list[str]) -> None:
     sizes = sorted({m.elements for m in points})
     for m in points:
         code = m.labels.get("code", "standalone")
-        marker = (MARKERS[integrators.index(m.labels["integrator"])] if code == "standalone"
+        marker = (MARKERS[words.index(m.labels[label])] if code == "standalone"
                   else OTHER_CODES[codes.index(code) % len(OTHER_CODES)])
         colour = f"C{laws.index(m.labels['law'])}"
         axes.plot(m.seconds, m.error, marker, color=colour, alpha=0.85,
@@ -39,10 +39,10 @@ def _scatter(axes: Axes, points: Sequence[Median], laws: list[str], integrators:
                   markerfacecolor=colour if m.on_front else "none")
 
 
-def _legend(axes: Axes, laws: list[str], integrators: list[str], codes: list[str]) -> None:
+def _legend(axes: Axes, laws: list[str], words: list[str], codes: list[str]) -> None:
     handles = [Line2D([], [], color=f"C{n}", linewidth=3, label=law) for n, law in enumerate(laws)]
     handles += [Line2D([], [], color="k", linestyle="", marker=MARKERS[n], label=word,
-                       markerfacecolor="none") for n, word in enumerate(integrators)]
+                       markerfacecolor="none") for n, word in enumerate(words)]
     handles += [Line2D([], [], color="k", linestyle="", marker=OTHER_CODES[n % len(OTHER_CODES)],
                        label=code, markerfacecolor="none") for n, code in enumerate(codes)]
     handles += [Line2D([], [], color="k", linewidth=0.8, label="Pareto front"),
@@ -53,20 +53,23 @@ def _legend(axes: Axes, laws: list[str], integrators: list[str], codes: list[str
 
 def draw(study: Study, points: Sequence[Median], path: Path) -> None:
     """Writes a picture of one study's medians of one reading."""
-    laws, integrators = _words(points, "law"), _words(points, "integrator")
+    laws, words = _words(points, "law"), _words(points, study.markers)
     codes = [c for c in _words(points, "code") if c != "standalone"]
     order = [v.labels["law"] for v in study.axes["law"]]
     laws.sort(key=order.index)
+    words.sort(key=[v.labels[study.markers] for values in study.axes.values() for v in values
+                    if study.markers in v.labels].index)
     figure, axes = plt.subplots(figsize=(9, 5.4), layout="constrained")
     for level in LEVELS:
         axes.axhline(level, color="#cccccc", linewidth=0.8, zorder=0)
     front = sorted((m.seconds, m.error) for m in points if m.on_front)
     axes.step(*zip(*front), where="post", color="k", linewidth=0.8, zorder=1)
-    _scatter(axes, points, laws, integrators, codes)
+    _scatter(axes, points, study.markers, laws, words, codes)
     axes.set(xscale="log", yscale="log", xlabel="wall time of the steps, s",
-             ylabel="error", title=study.title)
+             ylabel=f"error: {points[0].reading}" if len(study.readings) > 1
+             else "error", title=study.title)
     axes.yaxis.set_major_formatter(lambda y, _: f"{100 * y:g} %")
     axes.spines[["top", "right"]].set_visible(False)
-    _legend(axes, laws, integrators, codes)
+    _legend(axes, laws, words, codes)
     figure.savefig(path, dpi=120, metadata={"Software": None})
     plt.close(figure)

@@ -7,10 +7,11 @@ import hashlib
 import json
 import os
 import random
+import re
 import shutil
 import time
 import tomllib
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any, Callable
 
@@ -18,9 +19,12 @@ from benchmarks.accuracy_cost.measures import errors
 from benchmarks.accuracy_cost.study import Point, Study
 from compare.codes.base import Code, Job
 from compare.codes.standalone import Standalone
-from compare.result import CodeFailure
+from compare.result import CodeFailure, Result
 from compare.runs import replace_words, table_text
 from contrib.yade.prepared import PreparedError, parse_parameters, read_specimen
+
+#: A time step as a share of the true limit of the very body, in place of the criterion's.
+STEP_OF_LIMIT = re.compile(r"^time_step_of_limit = ([0-9.]+)$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -109,6 +113,8 @@ class Bench:
         self._kept_runs.mkdir(parents=True, exist_ok=True)
         self.specimens = Specimens(folder / "specimens", standalone, self.program)
         self._series: dict[Any, Any] = {}
+        self._limits: dict[str, float] = {}
+        self._references: dict[str, Result | CodeFailure] = {}
 
     def scene(self, study: Study, point: Point, repetition: int) -> str:
         """The scene of one run, its specimen still a recipe."""
@@ -152,7 +158,8 @@ class Bench:
         kept = self._kept_runs / (digest(
             text, point.code, json.dumps(point.environment, sort_keys=True), self.program,
             str(repetition), json.dumps([asdict(r) for r in study.readings]),
-            json.dumps(study.options)) + ".json")
+            json.dumps(study.options),
+            json.dumps({k: asdict(r) for k, r in study.references.items()})) + ".json")
         if kept.exists():
             return Run(**{**json.loads(kept.read_text()), "order": order, "labels": point.labels})
         shutil.rmtree(self._work, ignore_errors=True)
@@ -169,10 +176,10 @@ class Bench:
         code = self.codes.get(point.code)
         if code is None or (reason := code.missing()):
             raise CodeFailure(f"{point.code} is missing" + (f": {reason}" if code else ""))
+        references = {r.reference: self._reference(study, point, r.reference, repetition)
+                      for r in study.readings if r.reference}
         specimen, packing = self.specimens.get(text, study.timeout)
-        scene = self._work / "scene.toml"
-        scene.write_text(text.replace(table_text(text, "specimen"),
-                                      f'[specimen]\nfile = "{specimen}"\n\n'))
+        scene = self._write_scene(text, specimen, study.timeout)
         job = self._job(study, point, scene, specimen, text)
         before = {name: os.environ.get(name) for name in point.environment}
         os.environ.update(point.environment)
@@ -181,11 +188,51 @@ class Bench:
         finally:
             for name, value in before.items():
                 os.environ.pop(name) if value is None else os.environ.update({name: value})
-        found = {reading.name: errors(study, reading, job, result, self._series)
+        found = {reading.name: errors(study, reading, job, result, self._series,
+                                      references.get(reading.reference))
                  for reading in study.readings}
         summary, set_up = self._summary(point)
         return Run(study.name, point.labels, repetition, order, result.elements, result.bonds,
                    result.steps, result.wall_seconds, set_up, packing, found, summary)
+
+    def _write_scene(self, text: str, specimen: Path, timeout: float) -> Path:
+        """The scene as codes get it: its specimen a file, its time step a number."""
+        text = text.replace(table_text(text, "specimen"), f'[specimen]\nfile = "{specimen}"\n\n')
+        scene = self._work / "scene.toml"
+        if share := STEP_OF_LIMIT.search(text):
+            probe = STEP_OF_LIMIT.sub("time_step_ratio = 0.1", text)
+            if probe not in self._limits:
+                scene.write_text(probe)
+                told = self._standalone.call(["explain", scene, "--json"], self._work / "limit",
+                                             timeout)
+                self._limits[probe] = float(json.loads(told.read_text())["time_step"]["limit"])
+            step = float(share.group(1)) * self._limits[probe]
+            text = STEP_OF_LIMIT.sub(f'time_step = "{step:.12g} s"', text)
+        scene.write_text(text)
+        return scene
+
+    def _reference(self, study: Study, point: Point, name: str, repetition: int) -> Result:
+        """The run that a point is compared with, made once by the standalone program."""
+        reference = study.reference_of(point, name)
+        own = study.references[name].own_specimen
+        text = self.scene(study, reference, repetition if own else 1)
+        if text not in self._references:
+            self._references[text] = self._make_reference(study, text)
+        found = self._references[text]
+        if isinstance(found, CodeFailure):
+            raise found
+        return found
+
+    def _make_reference(self, study: Study, text: str) -> Result | CodeFailure:
+        try:
+            specimen, _ = self.specimens.get(text, study.timeout)
+            scene = self._write_scene(text, specimen, study.timeout)
+            job = self._standalone_job(study, scene, specimen)
+            result = self._standalone.run(job, self._work / "reference").check()
+            shutil.rmtree(self._work / "reference")
+            return replace(result, frames=[])
+        except CodeFailure as failure:
+            return CodeFailure(f"no reference: {failure}")
 
     def _summary(self, point: Point) -> tuple[dict[str, Any], float | None]:
         """What the standalone program said of itself, and its set-up, s."""
@@ -197,13 +244,17 @@ class Bench:
                 "time_step", "time_step_limit", "peak_memory_bytes", "wall_seconds")
         return {k: said[k] for k in kept if k in said}, wall["specimen"] + wall["set-up"]
 
+    @staticmethod
+    def _standalone_job(study: Study, scene: Path, specimen: Path) -> Job:
+        """The standalone program reads the scene itself; measures look at the body alone."""
+        return Job(scene, specimen, specimen, read_specimen(specimen),
+                   parse_parameters({"time_step": {"value": 0}, "steps": 0}), 0, 0,
+                   study.timeout, study.options)
+
     def _job(self, study: Study, point: Point, scene: Path, specimen: Path, text: str) -> Job:
         """The job; other codes also need what `prepare` and `explain` give."""
         if point.code == "standalone":
-            # The standalone program reads the scene itself; measures look at the body alone.
-            return Job(scene, specimen, specimen, read_specimen(specimen),
-                       parse_parameters({"time_step": {"value": 0}, "steps": 0}), 0, 0,
-                       study.timeout, study.options)
+            return self._standalone_job(study, scene, specimen)
         prepared = self._work / "prepared.h5"
         self._standalone.call(["prepare", scene, "--output", prepared], self._work / "prepare",
                               study.timeout)

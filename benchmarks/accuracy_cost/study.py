@@ -70,6 +70,8 @@ class Reading:
     name: str
     measure: str  #: of compare/ or of measures.py
     options: dict[str, dict[str, Any]]  #: by what the table calls it
+    reference: str = ""  #: the run that the measure compares with, if it needs one
+    panel: bool = False  #: has a picture of its own
 
 
 @dataclass(frozen=True)
@@ -79,6 +81,15 @@ class Move:
     words: str  #: "halving the step"
     axis: str
     pairs: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The run that others are compared with: a point with some labels set to the best."""
+
+    labels: dict[str, str]  #: the point's own hold where these say nothing
+    replace: dict[str, str]  #: words of the scene -> other words
+    own_specimen: bool  #: false: always the specimen of the first repetition
 
 
 @dataclass(frozen=True)
@@ -100,6 +111,22 @@ class Study:
     repetitions: int
     timeout: float  #: s, for one run
     options: dict[str, Any] = field(default_factory=dict)  #: of the measures, as in a case
+    references: dict[str, Reference] = field(default_factory=dict)
+    markers: str = "integrator"  #: the label that the markers of the picture tell
+
+    def reference_of(self, point: Point, name: str) -> Point:
+        """The point that a point is compared with."""
+        reference = self.references[name]
+        labels: dict[str, str] = {}
+        replace: dict[str, str] = {}
+        environment: dict[str, str] = {}
+        for axis, values in self.axes.items():
+            wanted = reference.labels.get(axis, point.labels[axis])
+            value = next(v for v in values if v.labels[axis] == wanted)
+            labels |= value.labels
+            replace |= value.replace
+            environment |= value.environment
+        return Point(labels, replace | reference.replace, environment)
 
     def points(self, quick: bool = False) -> list[Point]:
         """Every combination that is not left out."""
@@ -191,6 +218,28 @@ def _moves(table: dict[str, Any], axes: dict[str, list[Value]], where: str) -> t
     return tuple(found)
 
 
+def _references(table: dict[str, Any], axes: dict[str, list[Value]],
+                where: str) -> dict[str, Reference]:
+    known = {axis: {v.labels[axis] for v in values} for axis, values in axes.items()}
+    found = {}
+    for name, entry in table.pop("reference", {}).items():
+        labels = _where(entry.get("labels", {}), known, f"{where}: [reference.{name}]")
+        found[name] = Reference({axis: words[0] for axis, words in labels.items()},
+                                entry.get("replace", {}), bool(entry.get("own_specimen", True)))
+    return found
+
+
+def _readings(table: dict[str, Any], references: dict[str, Reference],
+              where: str) -> tuple[Reading, ...]:
+    readings = tuple(Reading(r["name"], r["measure"], r["options"], r.get("reference", ""),
+                             bool(r.get("panel", False))) for r in table.pop("reading"))
+    for reading in readings:
+        if reading.reference and reading.reference not in references:
+            raise StudyError(f"{where}: [[reading]] {reading.name!r}: reference = "
+                             f"{reading.reference!r}; known: {', '.join(references) or 'none'}")
+    return readings
+
+
 def _template(table: dict[str, Any], path: Path) -> str:
     from compare.runs import replace_words  # the same replacing as in cases
     return replace_words((path.parent / table.pop("scene")).read_text(), table.pop("replace", {}))
@@ -203,13 +252,18 @@ def _study(table: dict[str, Any], path: Path) -> Study:
     for value in itertools.chain(*axes.values()):
         for key, word in value.labels.items():
             labels.setdefault(key, set()).add(word)
-    readings = tuple(Reading(r["name"], r["measure"], r["options"]) for r in table.pop("reading"))
+    references = _references(table, axes, where)
+    readings = _readings(table, references, where)
+    markers = table.pop("markers", "integrator")
+    if markers not in labels:
+        raise StudyError(f"{where}: markers = {markers!r}; known: {', '.join(labels)}")
     study = Study(
         path.stem, path, table.pop("title"), table.pop("about"), table.pop("error"),
         _template(table, path), axes, readings, _moves(table, axes, where),
         _rules(table, labels, where), tuple(table.pop("not_covered", [])),
         _where(table.pop("quick", {}), labels, f"{where}: [quick]"),
-        int(table.pop("repetitions")), float(table.pop("timeout")), table.pop("options", {}))
+        int(table.pop("repetitions")), float(table.pop("timeout")), table.pop("options", {}),
+        references, markers)
     if table:
         raise StudyError(f"{where}: unknown key {next(iter(table))!r}")
     if not study.points():

@@ -192,7 +192,8 @@ def test_a_rule_about_an_unknown_setting_is_refused(study_file: Path) -> None:
         read_study(study_file)
 
 
-@pytest.mark.parametrize("name", ["h2_cylinder", "h3_plate"])
+@pytest.mark.parametrize("name", sorted(
+    path.stem for path in (ROOT / "benchmarks" / "accuracy_cost" / "studies").glob("*.toml")))
 def test_scenes_of_the_studies_have_the_words_that_are_replaced(name: str) -> None:
     from compare.runs import replace_words
     study = read_study(ROOT / "benchmarks" / "accuracy_cost" / "studies" / f"{name}.toml")
@@ -225,3 +226,130 @@ def test_a_real_study_from_end_to_end(study_file: Path, tmp_path: Path) -> None:
                            timeout=120, check=False)
     assert again.returncode == 1
     assert rows(output / "runs.csv") == runs
+
+
+BAR = """\
+title = "a bar"
+[specimen]
+shape = "box"
+size = ["1 mm", "0.4 mm", "0.4 mm"]
+elements = 60
+seed = 1
+[material]
+density = "2790 kg/m^3"
+[beams]
+young_modulus = "3.5 TPa"
+poisson_ratio = 0.3
+radius_ratio = 0.3
+[[grips]]
+name = "left"
+region = { axis = "x", side = "low", layers = 1 }
+velocity = ["0 m/s", "0 m/s", "0 m/s"]
+[[grips]]
+name = "right"
+region = { axis = "x", side = "high", layers = 1 }
+velocity = ["2 m/s", "0 m/s", "0 m/s"]
+[run]
+duration = "2 us"
+time_step_of_limit = 0.5
+[output]
+frames = 1
+"""
+
+BAR_STUDY = """\
+title = "A short bar"
+about = "It is pulled."
+error = "force against the finest step"
+scene = "bar.scene"
+repetitions = 2
+timeout = 60
+markers = "step"
+[reference.fine]
+labels = { step = "0.1" }
+replace = { "time_step_of_limit = 0.1" = "time_step_of_limit = 0.02" }
+[reference.large]
+labels = { elements = 200, step = "0.5" }
+own_specimen = false
+[[reading]]
+name = "force"
+measure = "curve_error"
+reference = "fine"
+[reading.options]
+force = { x = "time", y = "grip.right.force_x", from = 0.05, to = 1.0 }
+[[reading]]
+name = "modulus"
+measure = "slope_error"
+reference = "large"
+panel = true
+[reading.options]
+slope = { x = "grip.right.displacement_x", y = "grip.right.force_x", from = 0.3, to = 1.0 }
+[[axis]]
+name = "law"
+values = ["beams"]
+[[axis]]
+name = "elements"
+values = [60, 200]
+replace = { "elements = 60" = "elements = $value" }
+[[axis]]
+name = "step"
+values = ["0.5", "0.1", "0.9"]
+replace = { "time_step_of_limit = 0.5" = "time_step_of_limit = $value" }
+[[move]]
+words = "a finer step"
+axis = "step"
+pairs = [["0.9", "0.5"], ["0.5", "0.1"]]
+"""
+
+
+@pytest.fixture
+def bar_file(tmp_path: Path) -> Path:
+    (tmp_path / "bar.scene").write_text(BAR)
+    (tmp_path / "bar.toml").write_text(BAR_STUDY)
+    return tmp_path / "bar.toml"
+
+
+def test_a_reference_keeps_what_it_does_not_name(bar_file: Path) -> None:
+    study = read_study(bar_file)
+    for point in study.points():
+        fine, large = (study.reference_of(point, name) for name in ("fine", "large"))
+        assert fine.labels == point.labels | {"step": "0.1"}
+        assert large.labels == {"law": "beams", "elements": "200", "step": "0.5"}
+        assert fine.replace["time_step_of_limit = 0.1"] == "time_step_of_limit = 0.02"
+
+
+@pytest.mark.parametrize("old, new, message", [
+    ('reference = "fine"', 'reference = "coarse"', "known: fine, large"),
+    ('labels = { step = "0.1" }', 'labels = { step = "0.3" }', "known: 0.1, 0.5, 0.9"),
+    ('markers = "step"', 'markers = "colour"', "markers = 'colour'")])
+def test_a_wrong_reference_is_refused(bar_file: Path, old: str, new: str, message: str) -> None:
+    bar_file.write_text(BAR_STUDY.replace(old, new))
+    with pytest.raises(StudyError, match=message):
+        read_study(bar_file)
+
+
+def test_a_bar_against_its_finest_step_and_a_larger_body(bar_file: Path, tmp_path: Path) -> None:
+    output = tmp_path / "results"
+    command = [sys.executable, "-m", "benchmarks.accuracy_cost", str(bar_file), "--output",
+               str(output)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=120,
+                          check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    points = rows(output / "points.csv")
+    error = {(p["reading"], p["elements"], p["step"]): float(p["error"]) for p in points}
+    for elements in ("60", "200"):
+        # The scheme is of second order, and shares of the limit are what they say.
+        coarse, middle, fine = (error["force", elements, s] for s in ("0.9", "0.5", "0.1"))
+        assert fine < 0.2 * middle < 0.2 * coarse
+    runs = {(r["elements"], r["step"], r["repetition"]): int(r["steps"])
+            for r in rows(output / "runs.csv")}
+    for elements in ("60", "200"):
+        for repetition in ("1", "2"):
+            assert runs[elements, "0.1", repetition] == pytest.approx(
+                9 * runs[elements, "0.9", repetition], rel=0.1)
+    # The large body is the first repetition's own specimen: there the error is zero.
+    first = [float(r["slope"]) for r in rows(output / "runs.csv")
+             if (r["reading"], r["elements"], r["step"], r["repetition"])
+             == ("modulus", "200", "0.5", "1")]
+    assert first == [0.0]
+    assert (output / "bar_2.png").stat().st_size > 1000
+    assert "bar_2.png" in (output / "page.md").read_text()
