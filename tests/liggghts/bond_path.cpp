@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// One bond led through poses by the laws themselves: what the bond style must do too.
+//
+//   bond_path law radius kappa young shear plasticity yield_strain hardening_ratio < poses
+//
+// A line of the input: positions and orientations (w x y z) of atom 1 and atom 2; the first is the
+// pose in which the bond is made. A line of the output, for each pose but the first: force on atom
+// 1, moments on atom 1 and atom 2, equivalent strain, plastic strain, elastic energy, plastic work.
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include "laws/beam_plasticity.hpp"
+
+namespace {
+
+struct Pose {
+  solidem::Vector3<double> chord;
+  solidem::Quaternion<double> first, second;
+};
+
+bool read(Pose& pose) {
+  solidem::Vector3<double> a, b;
+  auto& p = pose.first;
+  auto& q = pose.second;
+  std::cin >> a.x >> a.y >> a.z >> p.w >> p.v.x >> p.v.y >> p.v.z;
+  std::cin >> b.x >> b.y >> b.z >> q.w >> q.v.x >> q.v.y >> q.v.z;
+  pose.chord = b - a;
+  return static_cast<bool>(std::cin);
+}
+
+void print(const solidem::Vector3<double>& a) {
+  std::printf("%.17g %.17g %.17g ", a.x, a.y, a.z);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 9) return 1;
+  const std::string law = argv[1], plasticity = argv[6];
+  const double radius = std::atof(argv[2]), kappa = std::atof(argv[3]);
+  const solidem::BeamSection<double> section = {std::atof(argv[4]), std::atof(argv[5]), radius};
+  Pose pose;
+  if (!read(pose)) return 1;
+  const double length = solidem::norm(pose.chord);
+  const solidem::Vector3<double> rest_direction = (1 / length) * pose.chord;
+  solidem::YieldingBeam<double> beam{};
+  beam.rigidity = law == "timoshenko" ? solidem::timoshenko_rigidity(section, length, kappa)
+                  : law == "spring"   ? solidem::spring_rigidity(section)
+                                      : solidem::euler_bernoulli_rigidity(section);
+  beam.rest_length = length;
+  if (law != "spring")
+    beam.radius = radius, beam.shear_ratio = std::atof(argv[5]) / std::atof(argv[4]);
+  beam.yield = {std::atof(argv[7]), std::atof(argv[8])};
+  solidem::BeamHistory<double> history = solidem::unyielded(rest_direction);
+  double work = 0;
+  while (read(pose)) {
+    const solidem::BeamResponse<double> response =
+        plasticity == "scaled-offset"
+            ? solidem::scaled_offset_response(beam, history, rest_direction, pose.chord, pose.first,
+                                              pose.second)
+            : solidem::radial_return_response(beam, history, pose.chord, pose.first, pose.second);
+    history = response.history;
+    work += response.plastic_work;
+    print(response.load.force);
+    print(response.load.moment_i);
+    print(response.load.moment_j);
+    std::printf("%.17g %.17g %.17g %.17g\n", response.strain, history.strain, response.energy,
+                work);
+  }
+}
