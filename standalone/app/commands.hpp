@@ -26,6 +26,14 @@ void prepare_scene(const std::string& scene, const std::string& output);
 /// `solidem specimen`: makes a scene's packing and prints its report.
 void make_scene_specimen(const std::string& scene, const std::string& output);
 
+struct CalibrateCommand {
+  std::string scene, output;
+  int threads = 0;
+};
+/// `solidem calibrate`: the parameters of the beams with which a body has given properties. The
+/// exit status.
+int calibrate_scene(const CalibrateCommand& command);
+
 /// `solidem convert`, `solidem info`.
 void convert_specimen(const std::string& from, const std::string& to);
 void describe_specimen(const std::string& file);

@@ -57,6 +57,16 @@ int main(int argc, char** argv) {
   specimen->callback(
       [&] { chosen = [&] { return solidem::make_scene_specimen(scene, output), 0; }; });
 
+  solidem::CalibrateCommand calibrate;
+  auto* calibrate_app = app.add_subcommand(
+      "calibrate", "Find the parameters of the beams that give a body the properties of a material");
+  calibrate_app->add_option("scene", calibrate.scene, "scene file (TOML)")->required();
+  calibrate_app->add_option("-o,--output", calibrate.output,
+                            "folder for the results (default: the scene's name)");
+  calibrate_app->add_option("-t,--threads", calibrate.threads, "number of threads")
+      ->check(CLI::Range(1, 4096));
+  calibrate_app->callback([&] { chosen = [&] { return solidem::calibrate_scene(calibrate); }; });
+
   auto* convert =
       app.add_subcommand("convert", "Convert a specimen: .h5, .data (LIGGGHTS), .txt (YADE), .csv");
   convert->add_option("from", from, "file to read")->required();

@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
+#include "model/error.hpp"
 #include "output/progress.hpp"
 #include "scene/body.hpp"
 #include "scene/fingerprint.hpp"
@@ -40,6 +41,10 @@ int run_scene(const RunCommand& command) {
   kernels();  // an impossible choice of instruction set must fail before any work
   if (command.threads > 0) omp_set_num_threads(command.threads);
   const Scene scene = read_scene(command.scene);
+  if (!scene.setup.run.duration && !scene.setup.run.steps)
+    throw InputError(command.scene +
+                     ": nothing says how long to run; expected a section [run] with duration or "
+                     "steps (without it a scene serves solidem calibrate)");
   RunOptions options;
   options.scene = command.scene;
   options.fingerprint = fingerprint(scene);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/calibration.hpp"
 #include "engine/setup.hpp"
 #include "scene/record.hpp"
 #include "specimen/recipe.hpp"
@@ -17,6 +18,7 @@ struct Scene {
   SpecimenRecipe specimen;
   std::optional<double> bond_tolerance;  ///< t of [bonds]; none: the specimen file's bonds, or 0
   Setup setup;
+  std::optional<CalibrationRequest> calibration;  ///< of [calibration]
   Record record;  ///< of all that was read
 };
 

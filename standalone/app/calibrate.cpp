@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "engine/calibration.hpp"
+#include "engine/tension_bench.hpp"
+#include "model/error.hpp"
+#include "output/disk.hpp"
+#include "output/replace_file.hpp"
+#include "output/summary.hpp"
+#include "scene/body.hpp"
+
+namespace solidem {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a user reads figures in.
+struct FigureName {
+  const char* key;
+  const char* symbol;
+  double unit;
+  const char* unit_name;
+};
+constexpr FigureName figure_names[] = {{"young_modulus", "E", 1e9, " GPa"},
+                                       {"poisson_ratio", "nu", 1, ""},
+                                       {"yield_stress", "sigma_0.2", 1e6, " MPa"},
+                                       {"peak_stress", "peak", 1e6, " MPa"},
+                                       {"rupture_strain", "rupture", 0.01, " %"}};
+
+double poisson_ratio_of(const BeamParameters& beams) {
+  return beams.young_modulus / (2 * beams.shear_modulus) - 1;
+}
+
+std::string text_of(const std::vector<BodyFigures>& figures) {
+  std::string text;
+  for (const auto& [key, spread] : spreads(figures))
+    for (const FigureName& name : figure_names)
+      if (key == name.key) {
+        text += fmt::format("  {} {:.4g}", name.symbol, spread.mean / name.unit);
+        if (figures.size() > 1) text += fmt::format(" ± {:.2g}", spread.deviation / name.unit);
+        text += name.unit_name;
+        if (spread.count < figures.size())
+          text += fmt::format(" ({} of {})", spread.count, figures.size());
+      }
+  return text;
+}
+
+std::string text_of(const CalibrationTrial& trial) {
+  const BondParameters& bonds = trial.bonds;
+  std::string text;
+  if (!trial.is_dynamic) {
+    text = fmt::format("static  radius_ratio {:.5g}", bonds.beams.radius_ratio);
+    if (bonds.beams.law != BeamParameters::Law::spring)
+      text += fmt::format(" poisson_ratio {:.4g}", poisson_ratio_of(bonds.beams));
+  } else {
+    text = "pulled ";
+    if (bonds.plasticity)
+      text += fmt::format(" yield_strain {:.4g} hardening_ratio {:.4g}",
+                          bonds.plasticity->yield_strain, bonds.plasticity->hardening_ratio);
+    if (bonds.rupture && bonds.rupture->strain)
+      text += fmt::format(" rupture {:.4g}", *bonds.rupture->strain);
+  }
+  return fmt::format("{:<68}:{}  ({:.2g} s)", text, text_of(trial.figures), trial.seconds);
+}
+
+/// The sections of a scene that hold the parameters.
+std::string toml_of(const BondParameters& bonds) {
+  const BeamParameters& beams = bonds.beams;
+  std::string text = fmt::format("[beams]\nlaw = \"{}\"\nyoung_modulus = \"{:.8g} Pa\"\n",
+                                 name_of(beams.law), beams.young_modulus);
+  if (beams.law != BeamParameters::Law::spring)
+    text += fmt::format("poisson_ratio = {:.6g}\n", poisson_ratio_of(beams));
+  if (beams.law == BeamParameters::Law::timoshenko)
+    text += fmt::format("shear_coefficient = {:.6g}\n", beams.shear_coefficient);
+  text += fmt::format("radius_ratio = {:.8g}\nradius_from = \"{}\"\n", beams.radius_ratio,
+                      beams.radius_from == BeamParameters::RadiusFrom::pair ? "pair" : "mean");
+  if (bonds.plasticity)
+    text += fmt::format(
+        "\n[plasticity]\nlaw = \"{}\"\nyield_strain = {:.8g}\nhardening_ratio = {:.8g}\n",
+        name_of(bonds.plasticity->law), bonds.plasticity->yield_strain,
+        bonds.plasticity->hardening_ratio);
+  if (bonds.rupture) {
+    text += "\n[rupture]\n";
+    if (bonds.rupture->strain) text += fmt::format("strain = {:.8g}\n", *bonds.rupture->strain);
+    if (bonds.rupture->elastic_strain)
+      text += fmt::format("stress = \"{:.8g} Pa\"\n",
+                          *bonds.rupture->elastic_strain * beams.young_modulus);
+    if (bonds.rupture->minimal_bonds > 0)
+      text += fmt::format("minimal_bonds = {}\n", bonds.rupture->minimal_bonds);
+  }
+  return text;
+}
+
+Json json_of(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const BondParameters& bonds) {
+  Json json = {{"young_modulus", bonds.beams.young_modulus},
+               {"shear_modulus", bonds.beams.shear_modulus},
+               {"radius_ratio", bonds.beams.radius_ratio}};
+  if (bonds.plasticity) {
+    json["yield_strain"] = bonds.plasticity->yield_strain;
+    json["hardening_ratio"] = bonds.plasticity->hardening_ratio;
+  }
+  if (bonds.rupture) json["rupture_strain"] = json_of(bonds.rupture->strain);
+  return json;
+}
+
+Json json_of(const std::vector<BodyFigures>& figures, bool with_tension) {
+  Json list = Json::array();
+  for (const BodyFigures& body : figures) {
+    Json json = {{"young_modulus", body.elastic.young_modulus},
+                 {"poisson_ratio", body.elastic.poisson_ratio}};
+    if (with_tension) {
+      json["yield_stress"] = json_of(body.tension.yield_stress);
+      json["peak_stress"] = json_of(body.tension.peak_stress);
+      json["rupture_strain"] = json_of(body.tension.rupture_strain);
+    }
+    list.push_back(json);
+  }
+  return list;
+}
+
+Json json_of(const CalibrationTargets& targets) {
+  Json json = {{"young_modulus", targets.young_modulus},
+               {"poisson_ratio", json_of(targets.poisson_ratio)},
+               {"yield_stress", json_of(targets.yield_stress)},
+               {"peak_stress", json_of(targets.peak_stress)},
+               {"rupture_strain", nullptr}};
+  if (targets.rupture_strain) json["rupture_strain"] = *targets.rupture_strain;
+  return json;
+}
+
+/// How far the parameters of one specimen would lie from those of the next: the scatter of the
+/// figures, over what each parameter does to its figure.
+Json uncertainty_of(const Calibration& found) {
+  Json json = Json::object();
+  if (found.figures.size() < 2) return json;
+  for (const auto& [key, spread] : spreads(found.figures)) {
+    const double share = spread.deviation / spread.mean;
+    if (key == "young_modulus") json[key] = share * found.bonds.beams.young_modulus;
+    if (key == "poisson_ratio" && found.poisson_slope != 0)
+      json["poisson_parameter"] = spread.deviation / std::abs(found.poisson_slope);
+    if (key == "yield_stress" && found.bonds.plasticity)
+      json["yield_strain"] = share * found.bonds.plasticity->yield_strain;
+    if (key == "rupture_strain" && found.bonds.rupture && found.bonds.rupture->strain)
+      json["rupture_strain"] = share * *found.bonds.rupture->strain;
+  }
+  return json;
+}
+
+Json json_of(const Calibration& found) {
+  const bool with_tension = found.trials.back().is_dynamic;
+  Json mean = Json::object(), deviation = Json::object(), trials = Json::array();
+  for (const auto& [key, spread] : spreads(found.figures)) {
+    mean[key] = spread.mean;
+    deviation[key] = spread.deviation;
+  }
+  for (const CalibrationTrial& trial : found.trials)
+    trials.push_back({{"test", trial.is_dynamic ? "tension" : "static"},
+                      {"parameters", json_of(trial.bonds)},
+                      {"figures", json_of(trial.figures, trial.is_dynamic)},
+                      {"wall_seconds", trial.seconds}});
+  return {{"parameters", json_of(found.bonds)},
+          {"uncertainty", uncertainty_of(found)},
+          {"figures", json_of(found.figures, with_tension)},
+          {"mean", mean},
+          {"deviation", deviation},
+          {"misses", found.misses},
+          {"trials", trials}};
+}
+
+std::vector<Specimen> make_specimens(const Scene& scene, int count) {
+  if (count > 1 && (!scene.specimen.file.empty() || scene.specimen.shape == "crystal"))
+    throw InputError(fmt::format(
+        "{}: [calibration] specimens = {}: a {} has no seed, so there is one specimen of it; "
+        "expected specimens = 1",
+        scene.path, count, scene.specimen.file.empty() ? "crystal" : "specimen file"));
+  std::vector<Specimen> specimens(static_cast<std::size_t>(count));
+  for_each_at_once(specimens.size(), [&](std::size_t k) {
+    Scene own = scene;
+    own.specimen.seed += k;
+    specimens[k] = make_body(own);
+  });
+  return specimens;
+}
+
+void print_result(const Calibration& found, const std::string& file, const std::string& title) {
+  fmt::print("\n{}:{}\n", title, text_of(found.figures));
+  const Json uncertainty = uncertainty_of(found);
+  if (!uncertainty.empty()) {
+    fmt::print("from specimen to specimen the parameters differ by");
+    for (const auto& [key, value] : uncertainty.items())
+      fmt::print(" {} ± {:.2g}", key, value.get<double>());
+    fmt::print("\n");
+  }
+  fmt::print("\n{}\n-> {}\n", toml_of(found.bonds), file);
+}
+
+}  // namespace
+
+int calibrate_scene(const CalibrateCommand& command) {
+  using Clock = std::chrono::steady_clock;
+  if (command.threads > 0) omp_set_num_threads(command.threads);
+  const auto start = Clock::now();
+  const Scene scene = read_scene(command.scene);
+  if (!scene.calibration)
+    throw InputError(command.scene +
+                     ": nothing to calibrate for; expected a section [calibration] with targets");
+  const CalibrationRequest& request = *scene.calibration;
+  const Setup& setup = scene.setup;
+  if (setup.materials.size() > 1)
+    throw InputError(command.scene +
+                     ": several [[material]]: a bar is calibrated for one; expected [material]");
+  const std::string directory =
+      command.output.empty() ? std::filesystem::path(command.scene).stem().string() + ".results"
+                             : command.output;
+  prepare_directory(directory);
+  const std::vector<Specimen> specimens = make_specimens(scene, request.specimens);
+  fmt::print("{}: {} specimen(s) of {} elements, {} bonds in the first, from seed {}\n",
+             scene.title, specimens.size(), specimens[0].size(), specimens[0].bonds.size(),
+             scene.specimen.seed);
+
+  const BondParameters bonds{*setup.beams, setup.plasticity, setup.rupture, setup.contact};
+  std::vector<Calibration> found(request.one_set ? 1 : specimens.size());
+  std::mutex printing;
+  const auto teller = [&](const std::string& prefix) {
+    return [&printing, prefix](const CalibrationTrial& trial) {
+      const std::lock_guard<std::mutex> lock(printing);
+      fmt::print("{}{}\n", prefix, text_of(trial));
+      std::fflush(stdout);
+    };
+  };
+  const auto name = [&](std::size_t k) { return fmt::format("seed {}", scene.specimen.seed + k); };
+  for_each_at_once(found.size(), [&](std::size_t k) {
+    const std::vector<Specimen> own{specimens[k]};
+    found[k] =
+        calibrate(request, bonds, setup.materials, setup.gauge, request.one_set ? specimens : own,
+                  teller(request.one_set ? "" : name(k) + ": "));
+  });
+
+  Json results = Json::array();
+  std::string misses;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::string file =
+        directory + "/calibrated" +
+        (request.one_set ? std::string() : fmt::format("_{}", scene.specimen.seed + k)) + ".toml";
+    replace_text_file(file, toml_of(found[k].bonds));
+    print_result(found[k], file, request.one_set ? "found" : name(k));
+    results.push_back(json_of(found[k]));
+    for (const std::string& miss : found[k].misses) misses += "\n  " + miss;
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  write_summary(directory + "/calibration.json", {{"solidem", version()},
+                                                  {"scene", command.scene},
+                                                  {"elements", specimens[0].size()},
+                                                  {"specimens", specimens.size()},
+                                                  {"seed", scene.specimen.seed},
+                                                  {"fit", request.one_set ? "mean" : "each"},
+                                                  {"targets", json_of(request.targets)},
+                                                  {"results", results},
+                                                  {"wall_seconds", seconds},
+                                                  {"threads", omp_get_max_threads()},
+                                                  {"hardware", to_json(hardware())}});
+  fmt::print("in all {:.3g} s\n", seconds);
+  if (misses.empty()) return 0;
+  throw RunError("[calibration] not every target was met; the nearest parameters are in " +
+                 directory + ":" + misses);
+}
+
+}  // namespace solidem

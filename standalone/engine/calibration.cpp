@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Elasticity first: the Poisson ratio of a network of beams depends on the shape of the beams
+// alone, so it is the root of a function of one parameter; its modulus is proportional to that of
+// the beams. Then plasticity: σ_0.2 is nearly proportional to the yield strain, the peak stress
+// nearly linear in the hardening, the rupture strain nearly proportional to that of the beams. Each
+// round of tests sets all three by these relations.
+#include "engine/calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/tension_bench.hpp"
+#include "model/error.hpp"
+#include "specimen/bonds.hpp"
+
+namespace solidem {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Where the search for beams begins that the scene says nothing of. Yielding starts in the most
+/// loaded beams, long before σ_0.2: the yield strain is about half of σ_0.2 / E.
+constexpr double yield_strain_share = 0.53;
+constexpr double usual_hardening = 0.007;
+constexpr double rupture_strain_share = 1.3;
+
+std::vector<double> poisson_ratios(const std::vector<ElasticConstants>& constants) {
+  std::vector<double> ratios;
+  for (const ElasticConstants& c : constants) ratios.push_back(c.poisson_ratio);
+  return ratios;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+/// The same beams of another material, G / E kept.
+BeamParameters scaled(BeamParameters beams, double factor) {
+  beams.young_modulus *= factor;
+  beams.shear_modulus *= factor;
+  return beams;
+}
+
+BeamParameters with_poisson_ratio(BeamParameters beams, double poisson_ratio) {
+  beams.shear_modulus = beams.young_modulus / (2 * (1 + poisson_ratio));
+  return beams;
+}
+
+/// A calibration on its way.
+class Search {
+ public:
+  Search(const CalibrationRequest& request, const BondParameters& start,
+         const std::vector<Material>& materials, const std::optional<Gauge>& gauge,
+         const std::vector<Specimen>& specimens,
+         const std::function<void(const CalibrationTrial&)>& tell)
+      : request_(request), materials_(materials), bench_(specimens, gauge), tell_(tell) {
+    found_.bonds = start;
+  }
+
+  Calibration run() {
+    find_elasticity();
+    if (!request_.targets.is_elastic()) find_plasticity();
+    return std::move(found_);
+  }
+
+ private:
+  // --- elasticity
+
+  /// The variable of the search for ν: the logarithm of the radius ratio, in which ν is nearly
+  /// straight, or the Poisson ratio of the beams.
+  BeamParameters beams_at(double variable) const {
+    BeamParameters beams = found_.bonds.beams;
+    if (request_.poisson_by == PoissonParameter::poisson_ratio)
+      return with_poisson_ratio(beams, variable);
+    beams.radius_ratio = std::exp(variable);
+    return beams;
+  }
+
+  std::vector<ElasticConstants> test_elasticity(const BeamParameters& beams) {
+    const auto start = Clock::now();
+    const std::vector<ElasticConstants> constants = bench_.elasticity(beams);
+    CalibrationTrial trial{false, found_.bonds, {}, 0};
+    trial.bonds.beams = beams;
+    for (const ElasticConstants& c : constants) trial.figures.push_back({c, {}});
+    note(std::move(trial), start);
+    return constants;
+  }
+
+  void find_elasticity() {
+    if (request_.targets.poisson_ratio) find_poisson_ratio();
+    if (found_.trials.empty()) test_elasticity(found_.bonds.beams);
+    // The best trial stands last but for a search that ended on another one.
+    const CalibrationTrial& best = *std::find_if(
+        found_.trials.begin(), found_.trials.end(), [&](const CalibrationTrial& trial) {
+          return trial.bonds.beams.radius_ratio == found_.bonds.beams.radius_ratio &&
+                 trial.bonds.beams.shear_modulus == found_.bonds.beams.shear_modulus;
+        });
+    std::vector<double> moduli;
+    for (const BodyFigures& figures : best.figures) moduli.push_back(figures.elastic.young_modulus);
+    const double factor = request_.targets.young_modulus / mean(moduli);
+    found_.figures = best.figures;
+    for (BodyFigures& figures : found_.figures) figures.elastic.young_modulus *= factor;
+    found_.bonds.beams = scaled(found_.bonds.beams, factor);
+  }
+
+  void find_poisson_ratio() {
+    const double target = *request_.targets.poisson_ratio;
+    const BeamParameters& beams = found_.bonds.beams;
+    const bool by_radius = request_.poisson_by == PoissonParameter::radius_ratio;
+    RootRange range{-0.9, 0.5};
+    double start = beams.young_modulus / (2 * beams.shear_modulus) - 1;
+    double slope = -0.05;  // a first guess; tests correct it
+    if (by_radius) {
+      range = {std::log(request_.radius_ratio.lower), std::log(request_.radius_ratio.upper)};
+      start = std::log(beams.radius_ratio);
+      slope = -0.13;
+    }
+    start = std::clamp(start, range.lower, range.upper);
+    const RootSearch search = find_root(
+        [&](double variable) {
+          return mean(poisson_ratios(test_elasticity(beams_at(variable)))) - target;
+        },
+        range, start, slope, request_.tolerances.poisson_ratio);
+    if (!search.found) refuse_poisson_ratio(search);
+    found_.bonds.beams = beams_at(search.best.at);
+    find_slope(search);
+  }
+
+  /// dν over the parameter, from the two trials nearest to the root.
+  void find_slope(const RootSearch& search) {
+    const RootTrial* other = nullptr;
+    for (const RootTrial& trial : search.trials)
+      if (trial.at != search.best.at &&
+          (other == nullptr ||
+           std::abs(trial.at - search.best.at) < std::abs(other->at - search.best.at)))
+        other = &trial;
+    if (other == nullptr) return;
+    const bool by_radius = request_.poisson_by == PoissonParameter::radius_ratio;
+    const double a = by_radius ? std::exp(search.best.at) : search.best.at;
+    const double b = by_radius ? std::exp(other->at) : other->at;
+    found_.poisson_slope = (other->value - search.best.value) / (b - a);
+  }
+
+  /// Says what is reachable, and what else would move ν, measured on the first specimen.
+  [[noreturn]] void refuse_poisson_ratio(const RootSearch& search) {
+    const double target = *request_.targets.poisson_ratio;
+    const bool by_radius = request_.poisson_by == PoissonParameter::radius_ratio;
+    const char* name = by_radius ? "radius_ratio" : "poisson_ratio of the beams";
+    const auto [low, high] = std::minmax_element(
+        search.trials.begin(), search.trials.end(),
+        [](const RootTrial& a, const RootTrial& b) { return a.value < b.value; });
+    const auto shown = [&](double variable) { return by_radius ? std::exp(variable) : variable; };
+    std::string text = fmt::format(
+        "[calibration] poisson_ratio = {:.4g}: out of reach: {} from {:.3g} to {:.3g} gives "
+        "{:.4f} (at {:.3g}) to {:.4f} (at {:.3g})",
+        target, name, by_radius ? request_.radius_ratio.lower : -0.9,
+        by_radius ? request_.radius_ratio.upper : 0.5, target + low->value, shown(low->at),
+        target + high->value, shown(high->at));
+    const BeamParameters best = beams_at(search.best.at);
+    text += fmt::format("; nearest with {} = {:.3g}. Of the first specimen ({:.4f} there):", name,
+                        shown(search.best.at), first_poisson_ratio(best, bench_.first()));
+    for (const double tolerance : {0.0, 0.05})
+      if (tolerance != bench_.first().bond_tolerance) {
+        Specimen other = bench_.first();
+        make_bonds(other, tolerance);
+        text += fmt::format(" [bonds] tolerance = {:g} gives {:.4f};", tolerance,
+                            first_poisson_ratio(best, other));
+      }
+    if (by_radius && best.law != BeamParameters::Law::spring)
+      for (const double ratio : {-0.5, 0.5})
+        text += fmt::format(" poisson_ratio = {:g} of the beams gives {:.4f};", ratio,
+                            first_poisson_ratio(with_poisson_ratio(best, ratio), bench_.first()));
+    throw InputError(text + " expected a target within reach");
+  }
+
+  double first_poisson_ratio(const BeamParameters& beams, const Specimen& specimen) const {
+    return elastic_constants(beams, specimen, bench_.first_bar()).poisson_ratio;
+  }
+
+  // --- plasticity
+
+  TensionTest tension_test() const {
+    const CalibrationTargets& targets = request_.targets;
+    TensionTest test{};
+    test.materials = materials_;
+    test.speed = request_.speed.value_or(
+        1e-3 * std::sqrt(targets.young_modulus / materials_.front().density));
+    const double yield = targets.yield_stress.value_or(targets.peak_stress.value_or(0));
+    test.fine_elongation = 3 * (0.002 + yield / targets.young_modulus);
+    test.longest_elongation = test.fine_elongation;
+    if (targets.rupture_strain)
+      test.longest_elongation = std::max(test.fine_elongation, 2 * (*targets.rupture_strain)[1]);
+    else if (targets.peak_stress)
+      test.longest_elongation = std::max(test.fine_elongation, 0.4);
+    return test;
+  }
+
+  void choose_start() {
+    const CalibrationTargets& targets = request_.targets;
+    BondParameters& bonds = found_.bonds;
+    if (!bonds.plasticity && (targets.yield_stress || targets.peak_stress)) {
+      bonds.plasticity = PlasticityParameters{};
+      bonds.plasticity->yield_strain =
+          yield_strain_share *
+          targets.yield_stress.value_or(0.7 * targets.peak_stress.value_or(0)) /
+          targets.young_modulus;
+      if (targets.peak_stress) bonds.plasticity->hardening_ratio = usual_hardening;
+    }
+    if (targets.rupture_strain) {
+      if (!bonds.rupture) bonds.rupture = RuptureParameters{};
+      if (!bonds.rupture->strain)
+        bonds.rupture->strain = rupture_strain_share * 0.5 *
+                                ((*targets.rupture_strain)[0] + (*targets.rupture_strain)[1]);
+    }
+  }
+
+  void find_plasticity() {
+    choose_start();
+    const TensionTest test = tension_test();
+    std::vector<ElasticConstants> elastic;
+    for (const BodyFigures& figures : found_.figures) elastic.push_back(figures.elastic);
+    double least = 0;
+    Calibration best = found_;
+    for (int round = 0; round < request_.tension_tests; ++round) {
+      const auto start = Clock::now();
+      const std::vector<TensionFigures> tension = bench_.tension(found_.bonds, elastic, test);
+      for (std::size_t k = 0; k < tension.size(); ++k) found_.figures[k].tension = tension[k];
+      note({true, found_.bonds, found_.figures, 0}, start);
+      const double worst = worst_miss();
+      if (round == 0 || worst < least) {
+        least = worst;
+        best.bonds = found_.bonds;
+        best.figures = found_.figures;
+      }
+      if (worst <= 1 || !correct()) break;
+    }
+    found_.bonds = best.bonds;
+    found_.figures = best.figures;
+    if (least > 1) tell_misses();
+  }
+
+  Spread figure(std::optional<double> TensionFigures::*member) const {
+    std::vector<std::optional<double>> values;
+    for (const BodyFigures& figures : found_.figures) values.push_back(figures.tension.*member);
+    return spread(values);
+  }
+
+  /// How far a figure is from its target, in tolerances.
+  double miss(const std::optional<double>& target, const Spread& figure, double tolerance) const {
+    if (!target) return 0;
+    if (figure.count < bench_.size()) return 1e3;  // some specimens did not show it
+    return std::abs(figure.mean / *target - 1) / tolerance;
+  }
+
+  double rupture_miss(const Spread& figure) const {
+    if (!request_.targets.rupture_strain) return 0;
+    if (figure.count < bench_.size()) return 1e3;
+    const auto [low, high] = *request_.targets.rupture_strain;
+    if (low == high) return miss(low, figure, request_.tolerances.rupture_strain);
+    if (figure.mean < low || figure.mean > high) return 2;
+    return 0;
+  }
+
+  double worst_miss() const {
+    const CalibrationTargets& targets = request_.targets;
+    return std::max({miss(targets.yield_stress, figure(&TensionFigures::yield_stress),
+                          request_.tolerances.yield_stress),
+                     miss(targets.peak_stress, figure(&TensionFigures::peak_stress),
+                          request_.tolerances.peak_stress),
+                     rupture_miss(figure(&TensionFigures::rupture_strain))});
+  }
+
+  /// Sets the parameters of the next round. False when none of them changes any more.
+  bool correct() {
+    const CalibrationTargets& targets = request_.targets;
+    BondParameters& bonds = found_.bonds;
+    const BondParameters before = bonds;
+    if (bonds.plasticity && targets.yield_stress) {
+      const Spread yield = figure(&TensionFigures::yield_stress);
+      if (yield.count > 0) bonds.plasticity->yield_strain *= *targets.yield_stress / yield.mean;
+    }
+    if (bonds.plasticity && targets.peak_stress) correct_hardening(before);
+    if (bonds.rupture && targets.rupture_strain) {
+      const Spread rupture = figure(&TensionFigures::rupture_strain);
+      const auto [low, high] = *targets.rupture_strain;
+      const double shown = rupture.count < bench_.size() ? 2 * high : rupture.mean;
+      if (shown < low || shown > high)
+        *bonds.rupture->strain *= std::clamp(0.5 * (low + high) / shown, 0.5, 2.0);
+    }
+    const bool plastic_changes =
+        bonds.plasticity &&
+        (bonds.plasticity->yield_strain != before.plasticity->yield_strain ||
+         bonds.plasticity->hardening_ratio != before.plasticity->hardening_ratio);
+    return plastic_changes || (bonds.rupture && bonds.rupture->strain != before.rupture->strain);
+  }
+
+  /// The peak stress, over what a yield strain of 1 would bring, is the yield strain and the
+  /// hardening times the plastic strain at the peak. Two rounds tell that strain; before there
+  /// are two, the peak without hardening is taken as σ_0.2.
+  void correct_hardening(const BondParameters& tested) {
+    const Spread peak = figure(&TensionFigures::peak_stress);
+    const Spread yield = figure(&TensionFigures::yield_stress);
+    if (peak.count == 0 || yield.count == 0) return;
+    PlasticityParameters& next = *found_.bonds.plasticity;
+    const double hardening = tested.plasticity->hardening_ratio;
+    const double scale = yield.mean / tested.plasticity->yield_strain;
+    const HardeningPoint now{hardening, peak.mean / scale - tested.plasticity->yield_strain};
+    double strain = hardening > 0 ? now.excess / hardening : 0.1;
+    if (last_ && std::abs(last_->hardening - hardening) > 0.05 * (last_->hardening + hardening)) {
+      const double secant = (now.excess - last_->excess) / (hardening - last_->hardening);
+      if (secant > 0.2 * strain && secant < 5 * strain) strain = secant;
+    }
+    last_ = now;
+    const double wanted = *request_.targets.peak_stress / scale - next.yield_strain;
+    next.hardening_ratio =
+        std::max(0.0, hardening + (wanted - now.excess) / std::max(strain, 1e-3));
+  }
+
+  void tell_misses() {
+    const CalibrationTargets& targets = request_.targets;
+    const auto tell = [&](const char* name, const std::optional<double>& target,
+                          std::optional<double> TensionFigures::*member, double tolerance) {
+      const Spread reached = figure(member);
+      if (miss(target, reached, tolerance) <= 1) return;
+      found_.misses.push_back(fmt::format("{} = {:.5g}: {}", name, *target, reach(member)));
+    };
+    tell("yield_stress", targets.yield_stress, &TensionFigures::yield_stress,
+         request_.tolerances.yield_stress);
+    tell("peak_stress", targets.peak_stress, &TensionFigures::peak_stress,
+         request_.tolerances.peak_stress);
+    if (rupture_miss(figure(&TensionFigures::rupture_strain)) > 1) {
+      const auto [low, high] = *targets.rupture_strain;
+      found_.misses.push_back(fmt::format("rupture_strain = {:.4g} … {:.4g}: {}", low, high,
+                                          reach(&TensionFigures::rupture_strain)));
+    }
+  }
+
+  /// What the rounds gave, at their two extremes, with the parameters that gave it.
+  std::string reach(std::optional<double> TensionFigures::*member) const {
+    const CalibrationTrial *lowest = nullptr, *highest = nullptr;
+    double low = 0, high = 0;
+    for (const CalibrationTrial& trial : found_.trials) {
+      std::vector<std::optional<double>> values;
+      for (const BodyFigures& figures : trial.figures) values.push_back(figures.tension.*member);
+      const Spread shown = spread(values);
+      if (!trial.is_dynamic || shown.count == 0) continue;
+      if (lowest == nullptr || shown.mean < low) lowest = &trial, low = shown.mean;
+      if (highest == nullptr || shown.mean > high) highest = &trial, high = shown.mean;
+    }
+    if (lowest == nullptr) return "no specimen showed it in any round";
+    const auto with = [](const CalibrationTrial& trial) {
+      std::string text;
+      if (const auto& p = trial.bonds.plasticity)
+        text = fmt::format("yield_strain {:.4g}, hardening_ratio {:.4g}", p->yield_strain,
+                           p->hardening_ratio);
+      if (trial.bonds.rupture && trial.bonds.rupture->strain)
+        text += fmt::format("{}rupture strain {:.4g}", text.empty() ? "" : ", ",
+                            *trial.bonds.rupture->strain);
+      return text;
+    };
+    return fmt::format("the rounds gave {:.5g} ({}) to {:.5g} ({})", low, with(*lowest), high,
+                       with(*highest));
+  }
+
+  // --- both
+
+  void note(CalibrationTrial trial, Clock::time_point start) {
+    trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (tell_) tell_(trial);
+    found_.trials.push_back(std::move(trial));
+  }
+
+  /// A round as the hardening sees it.
+  struct HardeningPoint {
+    double hardening, excess;
+  };
+
+  const CalibrationRequest& request_;
+  const std::vector<Material>& materials_;
+  TensionBench bench_;
+  const std::function<void(const CalibrationTrial&)>& tell_;
+  Calibration found_;
+  std::optional<HardeningPoint> last_;
+};
+
+}  // namespace
+
+Spread spread(const std::vector<std::optional<double>>& values) {
+  Spread result;
+  for (const std::optional<double>& value : values)
+    if (value) result.mean += *value, ++result.count;
+  if (result.count == 0) return result;
+  result.mean /= static_cast<double>(result.count);
+  double squares = 0;
+  for (const std::optional<double>& value : values)
+    if (value) squares += (*value - result.mean) * (*value - result.mean);
+  if (result.count > 1)
+    result.deviation = std::sqrt(squares / static_cast<double>(result.count - 1));
+  return result;
+}
+
+std::vector<std::pair<std::string, Spread>> spreads(const std::vector<BodyFigures>& figures) {
+  std::vector<std::optional<double>> values[5];
+  for (const BodyFigures& body : figures) {
+    values[0].emplace_back(body.elastic.young_modulus);
+    values[1].emplace_back(body.elastic.poisson_ratio);
+    values[2].push_back(body.tension.yield_stress);
+    values[3].push_back(body.tension.peak_stress);
+    values[4].push_back(body.tension.rupture_strain);
+  }
+  const char* names[] = {"young_modulus", "poisson_ratio", "yield_stress", "peak_stress",
+                         "rupture_strain"};
+  std::vector<std::pair<std::string, Spread>> result;
+  for (int k = 0; k < 5; ++k)
+    if (const Spread of_all = spread(values[k]); of_all.count > 0)
+      result.emplace_back(names[k], of_all);
+  return result;
+}
+
+Calibration calibrate(const CalibrationRequest& request, const BondParameters& start,
+                      const std::vector<Material>& materials, const std::optional<Gauge>& gauge,
+                      const std::vector<Specimen>& specimens,
+                      const std::function<void(const CalibrationTrial&)>& tell) {
+  return Search(request, start, materials, gauge, specimens, tell).run();
+}
+
+}  // namespace solidem

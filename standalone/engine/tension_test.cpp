@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "engine/tension_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/simulation.hpp"
+
+namespace solidem {
+
+namespace {
+
+constexpr double lasting_strain = 0.002;
+constexpr double share_left_at_rupture = 0.5;
+
+GripParameters grip(const char* name, const TensileBar& bar, bool high_side, double speed) {
+  GripParameters grip;
+  grip.name = name;
+  grip.region.kind = Region::Kind::face;
+  grip.region.axis = bar.gauge.axis;
+  grip.region.high_side = high_side;
+  grip.region.depth = bar.grip_depth;
+  grip.axis[static_cast<std::size_t>(bar.gauge.axis)] = {AxisControl::Kind::velocity,
+                                                         TimeFunction::constant(speed)};
+  grip.rotation_fixed = false;
+  return grip;
+}
+
+Setup setup_of(const BondParameters& bonds, const TensionTest& test) {
+  Setup setup;
+  setup.materials = test.materials;
+  setup.beams = bonds.beams;
+  setup.plasticity = bonds.plasticity;
+  setup.rupture = bonds.rupture;
+  setup.contact = bonds.contact;
+  setup.grips = {grip("low", test.bar, false, 0), grip("high", test.bar, true, test.speed)};
+  setup.gauge = test.bar.gauge;
+  setup.run.steps = 1;  // the test decides when it ends
+  setup.run.time_step_ratio = test.time_step_ratio;
+  return setup;
+}
+
+/// Every centre moves as in a uniform stretching of the bar.
+void set_in_motion(Simulation& simulation, const TensionTest& test) {
+  Model& model = simulation.model();
+  const Specimen& specimen = model.specimen();
+  const Domain& domain = specimen.domain;
+  const int axis = test.bar.gauge.axis;
+  const double low = component(domain.lower, axis) + test.bar.grip_depth;
+  const double high = component(domain.upper, axis) - test.bar.grip_depth;
+  const double rate = test.speed / (high - low);
+  const Vector middle = 0.5 * (domain.lower + domain.upper);
+  double* velocity = model.data(columns::velocity);
+  for (std::size_t i = 0; i < model.elements(); ++i)
+    for (int d = 0; d < 3; ++d) {
+      const double place = component(specimen.position[i], d);
+      velocity[Model::at(columns::velocity, i, static_cast<std::size_t>(d))] =
+          d == axis ? rate * (std::clamp(place, low, high) - low)
+                    : -rate * test.elastic.poisson_ratio * (place - component(middle, d));
+    }
+}
+
+double find(const HistoryRow& row, const char* name) {
+  for (const auto& [key, value] : row.values)
+    if (key == name) return value;
+  return std::nan("");
+}
+
+/// Where a line through two points has the ordinate zero, as a share of the way.
+double crossing(double before, double after) {
+  return before / (before - after);
+}
+
+}  // namespace
+
+TensionFigures figures_of(const std::vector<TensionPoint>& points, double young_modulus) {
+  TensionFigures figures;
+  const auto beyond = [&](const TensionPoint& p) {
+    return p.stress - young_modulus * (p.strain - lasting_strain);
+  };
+  double peak = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const TensionPoint& p = points[k];
+    peak = std::max(peak, p.stress);
+    if (k == 0) continue;
+    const TensionPoint& q = points[k - 1];
+    if (!figures.yield_stress && beyond(q) > 0 && beyond(p) <= 0)
+      figures.yield_stress = q.stress + crossing(beyond(q), beyond(p)) * (p.stress - q.stress);
+    const double left = share_left_at_rupture * peak;
+    if (!figures.rupture_strain && p.stress < left && q.stress >= left)
+      figures.rupture_strain =
+          q.elongation + crossing(q.stress - left, p.stress - left) * (p.elongation - q.elongation);
+    if (figures.rupture_strain) break;
+  }
+  if (peak > 0) figures.peak_stress = peak;
+  return figures;
+}
+
+TensionCurve pull(const BondParameters& bonds, const Specimen& specimen, const TensionTest& test) {
+  Simulation simulation(setup_of(bonds, test), specimen);
+  set_in_motion(simulation, test);
+  const Domain& domain = specimen.domain;
+  const int axis = test.bar.gauge.axis;
+  const double length =
+      component(domain.upper, axis) - component(domain.lower, axis) - 2 * test.bar.grip_depth;
+  const double elongation_per_step = test.speed * simulation.time_step().value / length;
+  TensionCurve curve;
+  double peak = 0;
+  while (true) {
+    const HistoryRow row = simulation.observe();
+    const TensionPoint point{elongation_per_step * static_cast<double>(simulation.step()),
+                             find(row, "gauge.strain"), find(row, "gauge.stress")};
+    curve.points.push_back(point);
+    peak = std::max(peak, point.stress);
+    const bool is_broken = peak > 0 && simulation.step() > 0 && point.elongation > lasting_strain &&
+                           point.stress < share_left_at_rupture * peak;
+    if (is_broken || point.elongation >= test.longest_elongation) break;
+    const double interval = point.elongation < test.fine_elongation ? 1e-4 : 1e-3;
+    simulation.advance(std::max<std::int64_t>(1, std::llround(interval / elongation_per_step)));
+  }
+  curve.figures = figures_of(curve.points, test.elastic.young_modulus);
+  return curve;
+}
+
+}  // namespace solidem

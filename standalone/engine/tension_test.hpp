@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_ENGINE_TENSION_TEST_HPP
+#define SOLIDEM_ENGINE_TENSION_TEST_HPP
+
+#include <optional>
+#include <vector>
+
+#include "engine/setup.hpp"
+#include "solve/tensile_bar.hpp"
+
+namespace solidem {
+
+/// What the bonds of a body are.
+struct BondParameters {
+  BeamParameters beams;
+  std::optional<PlasticityParameters> plasticity;
+  std::optional<RuptureParameters> rupture;
+  std::optional<ContactParameters> contact;
+};
+
+/// How a bar is pulled until it breaks.
+struct TensionTest {
+  TensileBar bar;
+  std::vector<Material> materials;
+  ElasticConstants elastic;  ///< of the bar, from the static test
+  double speed = 0;          ///< of one end against the other, m/s
+  double time_step_ratio = 0.5;
+  double fine_elongation = 0;     ///< up to which the curve has a point every 1e-4, then every 1e-3
+  double longest_elongation = 0;  ///< at which the test ends, if the bar has not broken before
+};
+
+/// One instant of a test.
+struct TensionPoint {
+  double elongation;  ///< of the length between the ends that are held
+  double strain;      ///< of the gauge section
+  double stress;      ///< engineering, of the gauge section, Pa
+};
+
+/// What a test has shown; none: the test ended before.
+struct TensionFigures {
+  std::optional<double> yield_stress;    ///< σ_0.2, at 0.2 % of lasting strain, Pa
+  std::optional<double> peak_stress;     ///< largest engineering stress, Pa
+  std::optional<double> rupture_strain;  ///< elongation at which half of the peak is left
+};
+
+struct TensionCurve {
+  std::vector<TensionPoint> points;
+  TensionFigures figures;
+};
+
+/// Pulls a bar, which starts in steady stretching (every centre at the velocity of a uniform
+/// deformation) so that no wave runs through it, until it has lost half of its largest stress.
+/// Throws what Simulation throws.
+TensionCurve pull(const BondParameters& bonds, const Specimen& specimen, const TensionTest& test);
+
+/// The figures of a curve of points in order.
+TensionFigures figures_of(const std::vector<TensionPoint>& points, double young_modulus);
+
+}  // namespace solidem
+
+#endif
