@@ -59,7 +59,8 @@ int main(int argc, char** argv) {
 
   solidem::CalibrateCommand calibrate;
   auto* calibrate_app = app.add_subcommand(
-      "calibrate", "Find the parameters of the beams that give a body the properties of a material");
+      "calibrate",
+      "Find the parameters of the beams that give a body the properties of a material");
   calibrate_app->add_option("scene", calibrate.scene, "scene file (TOML)")->required();
   calibrate_app->add_option("-o,--output", calibrate.output,
                             "folder for the results (default: the scene's name)");
