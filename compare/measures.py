@@ -152,6 +152,49 @@ def history_trend(view: View) -> Measured:
 
 
 @measure
+def history_remainder(view: View) -> Measured:
+    """What is left of a column at the end (option `column`) / largest value of another (`over`)."""
+    _, values = _history(view)
+    name = view.option("over")
+    if name not in view.tested.history:
+        raise CodeFailure(f"{view.tested.code} has no column {name} in its history")
+    largest = float(np.abs(view.tested.history[name]).max())
+    if not largest > 0:
+        raise CodeFailure(f"{name} is zero throughout")
+    return Measured(abs(float(values[-1])) / largest, f"largest {name} {largest:.3g}")
+
+
+@measure
+def history_drift(view: View) -> Measured:
+    """Largest change of a column (option `column`) from its value at a time (option `after`, s) on,
+    as part of that value. Needs option `steps` time steps from then on at least."""
+    time, values = _history(view)
+    held = time >= float(view.option("after"))
+    steps = int(held.sum() and np.ptp(view.tested.history["step"][held]))
+    if steps < int(view.option("steps")):
+        raise CodeFailure(f"{steps} steps after {view.option('after')} s; {view.option('steps')} "
+                          "are needed")
+    first = float(values[held][0])
+    if not abs(first) > 0.01 * np.abs(values).max():
+        raise CodeFailure(f"{view.option('column')} is hardly anything there")
+    return Measured(float(np.abs(values[held] - first).max()) / abs(first),
+                    f"{steps} steps, value {first:.4g}")
+
+
+@measure
+def history_fall(view: View) -> Measured:
+    """Largest fall of a column (option `column`) that must never fall / its largest value."""
+    time, values = _history(view)
+    largest = float(np.abs(values).max())
+    if not largest > 0:
+        raise CodeFailure(f"{view.option('column')} is zero throughout")
+    plot = Plot(view.variant.name, "time, s", view.option("column"),
+                [Series(view.check.code, time, values, "-")])
+    return Measured(max(0.0, -float(np.diff(values).min())) / largest,
+                    f"rises to {largest:.3g}", plot)
+
+
+@measure
 def finite_differences(view: View) -> Measured:
     """Largest relative difference, per step, from central finite differences on the same lattice.
 

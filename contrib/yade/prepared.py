@@ -296,6 +296,8 @@ def _beams(law: dict[str, Any] | None, unsupported: list[str]) -> Beams | None:
     for name in ("anisotropy", "fibres"):
         if law and law.get(name):
             unsupported.append(f"beams with {name} are not understood")
+    if law and law.get("shear_modulus") is None:  # of a spring
+        law = {**law, "shear_modulus": 0.0}
     found: Beams | None = _known(Beams, law)
     return found
 

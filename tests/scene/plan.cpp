@@ -35,6 +35,8 @@ const std::map<std::string, Expected> expected = {
     {"compare/scenes/annulus.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/cantilever.toml", {{"beams", "grip wall"}, {"move_beams"}, motion}},
     {"compare/scenes/cylinder.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
+    {"compare/scenes/elastic_cycle.toml",
+     {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
     {"compare/scenes/plate.toml", {{"conduction", "heat source disc"}, {"conduct"}, heat}},
     {"compare/scenes/simple_cubic.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/tension_bar.toml",
