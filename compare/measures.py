@@ -165,6 +165,12 @@ def history_remainder(view: View) -> Measured:
 
 
 @measure
+def history_last(view: View) -> Measured:
+    """Size of a column's last value (option `column`)."""
+    return Measured(abs(float(_history(view)[1][-1])))
+
+
+@measure
 def history_drift(view: View) -> Measured:
     """Largest change of a column (option `column`) from its value at a time (option `after`, s) on,
     as part of that value. Needs option `steps` time steps from then on at least."""

@@ -56,7 +56,7 @@ class Curve:
     @property
     def yield_stress(self) -> float:
         """σ_0.2, Pa."""
-        return _crossing(self.strain, self.stress, self.young_modulus, 0.0, 0.0, 1)
+        return crossing(self.strain, self.stress, self.young_modulus, 0.0, 0.0, 1)
 
     @property
     def peak_stress(self) -> float:
@@ -75,7 +75,7 @@ class Curve:
         return float(self.elongation[peak + int(np.argmax(torn))])
 
 
-def _crossing(strain: Floats, stress: Floats, modulus: float, strain_0: float, stress_0: float,
+def crossing(strain: Floats, stress: Floats, modulus: float, strain_0: float, stress_0: float,
               sign: int) -> float:
     """Stress where a curve has left the elastic line through a point by the lasting strain."""
     beyond = sign * (strain - strain_0 - (stress - stress_0) / modulus) - LASTING
