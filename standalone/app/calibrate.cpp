@@ -8,6 +8,8 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "app/bond_sections.hpp"
+#include "app/calibrate_orthotropic.hpp"
 #include "app/commands.hpp"
 #include "engine/calibration.hpp"
 #include "engine/tension_bench.hpp"
@@ -35,10 +37,6 @@ constexpr FigureName figure_names[] = {{"young_modulus", "E", 1e9, " GPa"},
                                        {"yield_stress", "sigma_0.2", 1e6, " MPa"},
                                        {"peak_stress", "peak", 1e6, " MPa"},
                                        {"rupture_strain", "rupture", 0.01, " %"}};
-
-double poisson_ratio_of(const BeamParameters& beams) {
-  return beams.young_modulus / (2 * beams.shear_modulus) - 1;
-}
 
 std::string text_of(const std::vector<BodyFigures>& figures) {
   std::string text;
@@ -70,34 +68,6 @@ std::string text_of(const CalibrationTrial& trial) {
       text += fmt::format(" rupture {:.4g}", *bonds.rupture->strain);
   }
   return fmt::format("{:<68}:{}  ({:.2g} s)", text, text_of(trial.figures), trial.seconds);
-}
-
-/// The sections of a scene that hold the parameters.
-std::string toml_of(const BondParameters& bonds) {
-  const BeamParameters& beams = bonds.beams;
-  std::string text = fmt::format("[beams]\nlaw = \"{}\"\nyoung_modulus = \"{:.8g} Pa\"\n",
-                                 name_of(beams.law), beams.young_modulus);
-  if (beams.law != BeamParameters::Law::spring)
-    text += fmt::format("poisson_ratio = {:.6g}\n", poisson_ratio_of(beams));
-  if (beams.law == BeamParameters::Law::timoshenko)
-    text += fmt::format("shear_coefficient = {:.6g}\n", beams.shear_coefficient);
-  text += fmt::format("radius_ratio = {:.8g}\nradius_from = \"{}\"\n", beams.radius_ratio,
-                      beams.radius_from == BeamParameters::RadiusFrom::pair ? "pair" : "mean");
-  if (bonds.plasticity)
-    text += fmt::format(
-        "\n[plasticity]\nlaw = \"{}\"\nyield_strain = {:.8g}\nhardening_ratio = {:.8g}\n",
-        name_of(bonds.plasticity->law), bonds.plasticity->yield_strain,
-        bonds.plasticity->hardening_ratio);
-  if (bonds.rupture) {
-    text += "\n[rupture]\n";
-    if (bonds.rupture->strain) text += fmt::format("strain = {:.8g}\n", *bonds.rupture->strain);
-    if (bonds.rupture->elastic_strain)
-      text += fmt::format("stress = \"{:.8g} Pa\"\n",
-                          *bonds.rupture->elastic_strain * beams.young_modulus);
-    if (bonds.rupture->minimal_bonds > 0)
-      text += fmt::format("minimal_bonds = {}\n", bonds.rupture->minimal_bonds);
-  }
-  return text;
 }
 
 Json json_of(const std::optional<double>& value) {
@@ -204,7 +174,7 @@ void print_result(const Calibration& found, const std::string& file, const std::
       fmt::print(" {} ± {:.2g}", key, value.get<double>());
     fmt::print("\n");
   }
-  fmt::print("\n{}\n-> {}\n", toml_of(found.bonds), file);
+  fmt::print("\n{}\n-> {}\n", bond_sections(found.bonds), file);
 }
 
 }  // namespace
@@ -214,10 +184,9 @@ int calibrate_scene(const CalibrateCommand& command) {
   if (command.threads > 0) omp_set_num_threads(command.threads);
   const auto start = Clock::now();
   const Scene scene = read_scene(command.scene);
-  if (!scene.calibration)
+  if (!scene.calibration && !scene.orthotropic_calibration)
     throw InputError(command.scene +
                      ": nothing to calibrate for; expected a section [calibration] with targets");
-  const CalibrationRequest& request = *scene.calibration;
   const Setup& setup = scene.setup;
   if (setup.materials.size() > 1)
     throw InputError(command.scene +
@@ -226,11 +195,17 @@ int calibrate_scene(const CalibrateCommand& command) {
       command.output.empty() ? std::filesystem::path(command.scene).stem().string() + ".results"
                              : command.output;
   prepare_directory(directory);
-  const std::vector<Specimen> specimens = make_specimens(scene, request.specimens);
+  const std::vector<Specimen> specimens =
+      make_specimens(scene, scene.calibration ? scene.calibration->specimens
+                                              : scene.orthotropic_calibration->specimens);
   fmt::print("{}: {} specimen(s) of {} elements, {} bonds in the first, from seed {}\n",
              scene.title, specimens.size(), specimens[0].size(), specimens[0].bonds.size(),
              scene.specimen.seed);
 
+  if (scene.orthotropic_calibration)
+    return calibrate_orthotropic_scene(scene, specimens, directory);
+
+  const CalibrationRequest& request = *scene.calibration;
   const BondParameters bonds{*setup.beams, setup.plasticity, setup.rupture, setup.contact};
   std::vector<Calibration> found(request.one_set ? 1 : specimens.size());
   std::mutex printing;
@@ -255,7 +230,7 @@ int calibrate_scene(const CalibrateCommand& command) {
     const std::string file =
         directory + "/calibrated" +
         (request.one_set ? std::string() : fmt::format("_{}", scene.specimen.seed + k)) + ".toml";
-    replace_text_file(file, toml_of(found[k].bonds));
+    replace_text_file(file, bond_sections(found[k].bonds));
     print_result(found[k], file, request.one_set ? "found" : name(k));
     results.push_back(json_of(found[k]));
     for (const std::string& miss : found[k].misses) misses += "\n  " + miss;

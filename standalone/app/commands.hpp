@@ -34,6 +34,9 @@ struct CalibrateCommand {
 /// exit status.
 int calibrate_scene(const CalibrateCommand& command);
 
+/// `solidem constants`: the elastic constants of a periodic body along the axes of its grain.
+void measure_constants(const std::string& scene, bool json);
+
 /// `solidem convert`, `solidem info`.
 void convert_specimen(const std::string& from, const std::string& to);
 void describe_specimen(const std::string& file);

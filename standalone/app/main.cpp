@@ -68,6 +68,12 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 4096));
   calibrate_app->callback([&] { chosen = [&] { return solidem::calibrate_scene(calibrate); }; });
 
+  auto* constants =
+      app.add_subcommand("constants", "Measure the elastic constants of a periodic body");
+  constants->add_option("scene", scene, "scene file (TOML)")->required();
+  constants->add_flag("--json", json, "for programs, all in SI units");
+  constants->callback([&] { chosen = [&] { return solidem::measure_constants(scene, json), 0; }; });
+
   auto* convert =
       app.add_subcommand("convert", "Convert a specimen: .h5, .data (LIGGGHTS), .txt (YADE), .csv");
   convert->add_option("from", from, "file to read")->required();

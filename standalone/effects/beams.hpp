@@ -2,49 +2,99 @@
 #ifndef SOLIDEM_EFFECTS_BEAMS_HPP
 #define SOLIDEM_EFFECTS_BEAMS_HPP
 
+#include <optional>
 #include <vector>
 
+#include "effects/beam_properties.hpp"
 #include "effects/effect.hpp"
+#include "effects/kernels/kernels.hpp"
 #include "effects/parameters.hpp"
-#include "laws/beam.hpp"
 
 namespace solidem {
 
-/// Elements in motion under elastic beam bonds: laws/beam.hpp, velocity Verlet with
-/// rotations.
+/// What a scene asks of the bonds between elements.
+struct BeamDemands {
+  BeamParameters elasticity;
+  std::optional<PlasticityParameters> plasticity;
+  std::optional<RuptureParameters> rupture;
+  bool rebonding = false;  ///< bonds may be made anew, between elements that have turned
+
+  /// What the hot loop must do.
+  BeamFlow flow() const;
+  bool turning() const { return elasticity.law != BeamParameters::Law::spring; }
+};
+
+/// Elements in motion under beam bonds: laws/beam.hpp, with laws/beam_plasticity.hpp where bonds
+/// flow; velocity Verlet, with rotations unless the bonds are springs.
+///
+/// A step flows, pulls and moves in one pass: bonds flow to the pose that the step begins with, and
+/// that flow is kept. A look at the state (`bond`, `observe`) sees the same flow and keeps nothing.
 class Beams : public Effect {
  public:
   /// Columns that the effect needs.
-  static std::vector<const Column*> columns(const BeamParameters& parameters, bool periodic);
+  static std::vector<const Column*> columns(const BeamDemands& demands, bool periodic);
 
   /// Bonds are made at the specimen's rest positions, elements at rest. `mass` per element, kg.
-  Beams(const BeamParameters& parameters, const std::vector<double>& mass, Model& model);
+  Beams(const BeamDemands& demands, const std::vector<double>& mass, Model& model);
 
   /// min over bonds of sqrt(m/k_axial), sqrt(J/k_bend), sqrt(J/k_tors), with m and J of the lighter
   /// end, k_axial = ES/l, k_bend = EI/l, k_tors = GI_0/l.
   std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const;
 
+  /// E S l of a bond of mean radius as long as its elements touch, J.
+  double typical_energy(const Model& model) const {
+    return 2 * rigidity_.axial * mean_radius(model.specimen());
+  }
+
   void advance(Model& model, const Step& step) override;
 
-  /// Loads, velocities and elastic energy.
+  /// The elastic accelerations of the present pose, in the columns of the velocities, which must be
+  /// zero; nothing moves, flows or breaks.
+  void accelerate(Model& model) const;
+
+  /// Slots that reached their limit in the last step, in increasing order; a bond may stand once or
+  /// twice.
+  const std::vector<std::uint32_t>& breaking() const { return breaking_; }
+
+  /// Loads, velocities, elastic energy and plastic work.
   void observe(const Model& model, Observation& observation) const override;
 
-  /// A bond at one instant, seen from element i.
+  /// A bond at one instant, seen from element i, after the flow that the instant asks for.
   struct Bond {
     std::int32_t i, j;
-    BeamRigidity<double> rigidity;
-    double rest_length;
-    BeamPose<double> pose;
-    BeamLoad<double> load() const { return beam_load(rigidity, rest_length, pose); }
-    double energy() const { return beam_energy(rigidity, rest_length, pose); }
+    YieldingBeam<double> beam;
+    BeamResponse<double> response;
+    const BeamLoad<double>& load() const { return response.load; }
+    double energy() const { return response.energy; }
+    double rest_length() const { return beam.rest_length; }
+    const BeamRigidity<double>& rigidity() const { return beam.rigidity; }
+    double section() const { return 3.14159265358979323846 * beam.radius * beam.radius; }  ///< m²
   };
 
   /// The bond in a slot.
   Bond bond(const Model& model, std::int32_t i, std::int32_t j, std::size_t row, int lane) const;
 
+  /// Fills a slot of element i, and no other, with a bond to j free of load; `chord` from i to j.
+  /// Elements may have turned only where bonds remember their normals.
+  void bind(Model& model, std::int32_t i, std::int32_t j, std::size_t row, int lane,
+            const Vector& chord) const;
+
+  /// Empties a slot.
+  static void release(Model& model, std::size_t row, int lane);
+
+  const BeamProperties& properties() const { return properties_; }
+
  private:
-  BeamRigidity<double>
-      rigidity_;  ///< of every beam, or of radius 1 m where radii depend on the pair
+  BeamMotion motion(Model& model) const;
+
+  BeamDemands demands_;
+  BeamProperties properties_;
+  BeamFlow flow_;
+  BeamSection<double> section_;    ///< of every beam, where all are alike
+  BeamRigidity<double> rigidity_;  ///< likewise
+  BeamYield<double> yield_;
+  BeamRupture<double> rupture_;
+  std::vector<std::uint32_t> breaking_;
 };
 
 }  // namespace solidem

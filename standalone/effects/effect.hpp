@@ -29,7 +29,10 @@ struct ObservedMotion {
   std::vector<Vector> velocity;          ///< m/s
   std::vector<Vector> angular_velocity;  ///< rad/s
   double kinetic_energy = 0;             ///< of the motion that no grip imposes, J
-  double elastic_energy = 0;             ///< J
+  double elastic_energy = 0;             ///< of the bonds, J
+  double contact_energy = 0;             ///< stored in contacts, J
+  double plastic_work = 0;               ///< of the bonds since the start, J
+  double fracture_energy = 0;            ///< lost where bonds broke or formed, J
   double external_work = 0;              ///< done by the grips since the start, J
 };
 
@@ -67,6 +70,8 @@ class Observer {
 class Effect : public Observer {
  public:
   virtual void advance(Model& model, const Step& step) = 0;
+  /// Work done on the body from outside since the start, J.
+  virtual double work() const { return 0; }
   /// Sums kept since the start that belong into a checkpoint beside the dynamic columns.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& /*saved*/) {}

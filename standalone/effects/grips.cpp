@@ -43,7 +43,6 @@ double Grip::imposed_velocity(int axis, double time) const {
 
 void Grip::advance(Model& model, const Step& step) {
   double* velocity = model.data(columns::velocity);
-  double* spin = model.data(columns::angular_velocity);
   const double* pose = model.data(columns::pose);
   double* next = model.next(columns::pose);
   const double after = step.time + step.time_step;
@@ -77,7 +76,8 @@ void Grip::advance(Model& model, const Step& step) {
       }
     }
   }
-  if (!parameters_.rotation_fixed) return;
+  if (!parameters_.rotation_fixed || !model.has(columns::angular_velocity)) return;
+  double* spin = model.data(columns::angular_velocity);
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
     for (int axis = 0; axis < 3; ++axis) spin[Model::at(columns::angular_velocity, i, axis)] = 0;
@@ -114,7 +114,7 @@ void Grip::observe(const Model& model, Observation& observation) const {
 
 void Grip::correct_motion(const Model& model, const Vector& grip_force,
                           Observation& observation) const {
-  const double* inverse_inertia = model.data(columns::inverse_inertia);
+  const bool held = parameters_.rotation_fixed && model.has(columns::angular_velocity);
   double& energy = observation.motion.kinetic_energy;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const auto i = static_cast<std::size_t>(elements_[k]);
@@ -128,9 +128,9 @@ void Grip::correct_motion(const Model& model, const Vector& grip_force,
         energy += 0.5 * mass_[k] * v * v;
       }
     }
-    if (!parameters_.rotation_fixed) continue;
+    if (!held) continue;
     Vector& spin = observation.motion.angular_velocity[i];
-    energy -= 0.5 * dot(spin, spin) / inverse_inertia[i];
+    energy -= 0.5 * dot(spin, spin) / model.data(columns::inverse_inertia)[i];
     spin = {};
   }
 }

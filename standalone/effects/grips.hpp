@@ -29,6 +29,7 @@ class Grip : public Effect {
   void advance(Model& model, const Step& step) override;
   /// Velocities of the gripped elements, work, force and displacement of the grip.
   void observe(const Model& model, Observation& observation) const override;
+  double work() const override { return work_; }
   std::vector<double> save() const override;
   void restore(const std::vector<double>& saved) override;
 

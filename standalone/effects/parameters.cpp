@@ -3,6 +3,22 @@
 
 namespace solidem {
 
+const char* name_of(BeamParameters::Law law) {
+  switch (law) {
+    case BeamParameters::Law::timoshenko:
+      return "timoshenko";
+    case BeamParameters::Law::spring:
+      return "spring";
+    case BeamParameters::Law::euler_bernoulli:
+      break;
+  }
+  return "euler-bernoulli";
+}
+
+const char* name_of(PlasticityParameters::Law law) {
+  return law == PlasticityParameters::Law::scaled_offset ? "scaled-offset" : "radial-return";
+}
+
 const char* name_of(ConductionParameters::Law law) {
   switch (law) {
     case ConductionParameters::Law::platonic:

@@ -10,23 +10,75 @@
 #include <string>
 #include <vector>
 
+#include "laws/oriented_modulus.hpp"
 #include "model/region.hpp"
 #include "model/shape.hpp"
 #include "model/time_function.hpp"
+#include "specimen/bonds.hpp"
 
 namespace solidem {
 
-/// Elastic beam bonds.
+/// Moduli of beams that depend on their direction against a grain: laws/oriented_modulus.hpp.
+struct Anisotropy {
+  GrainAxes<double> axes{{1, 0, 0}, {0, 1, 0}};  ///< L and R
+  double radial_modulus = 0;                     ///< E_R of the beams, Pa; E_L is young_modulus
+  double tangential_modulus = 0;                 ///< E_T of the beams, Pa
+  /// G of beams across the grain, Pa; none: all beams have the ratio G/E of those along it.
+  std::optional<double> transverse_shear_modulus;
+  double exponent = 4;  ///< p
+};
+
+/// Bonds beyond contact along a direction, stiffer than the others.
+struct Fibres {
+  FibreRule rule;
+  double stiffness_ratio = 10;  ///< of their moduli to young_modulus and shear_modulus
+};
+
+/// Beam bonds and their elasticity.
 struct BeamParameters {
+  enum class Law {
+    euler_bernoulli,
+    timoshenko,  ///< shears as well
+    spring       ///< resists a change of length and nothing else
+  };
   /// What the radius of a beam is a multiple of.
   enum class RadiusFrom {
     mean,  ///< the mean radius R_m of the specimen
     pair   ///< (R_i + R_j) / 2 of the two elements
   };
-  double young_modulus = 0;  ///< E of the beams (microscopic), Pa
-  double shear_modulus = 0;  ///< G of the beams (microscopic), Pa
-  double radius_ratio = 0;   ///< r̃
+  Law law = Law::euler_bernoulli;
+  double young_modulus = 0;        ///< E of the beams (microscopic), Pa
+  double shear_modulus = 0;        ///< G of the beams (microscopic), Pa; 0 for springs
+  double shear_coefficient = 0.9;  ///< κ of Timoshenko beams
+  double radius_ratio = 0;         ///< r̃
   RadiusFrom radius_from = RadiusFrom::mean;
+  std::optional<Anisotropy> anisotropy;
+  std::optional<Fibres> fibres;
+};
+
+/// Plastic flow of beam bonds.
+struct PlasticityParameters {
+  enum class Law {
+    radial_return,
+    scaled_offset  ///< of the thesis: flows back only beyond the largest strain before
+  };
+  Law law = Law::radial_return;
+  double yield_strain = 0;     ///< σ_y / E
+  double hardening_ratio = 0;  ///< H / E
+};
+
+/// Rupture of beam bonds; at least one of the bounds is given.
+struct RuptureParameters {
+  std::optional<double> elastic_strain;  ///< σ_rupt / E
+  std::optional<double> strain;          ///< of elastic and plastic strain together
+  int minimal_bonds = 0;                 ///< elements that lost bonds and keep fewer are removed
+};
+
+/// Contact of elements that have lost bonds.
+struct ContactParameters {
+  double stiffness_ratio = 1;  ///< of E S / l
+  std::optional<double>
+      rebonding_pressure;  ///< contact force over beam section that bonds anew, Pa
 };
 
 /// Two materials that touch imperfectly.
@@ -52,6 +104,8 @@ struct ConductionParameters {
 };
 
 /// As a scene spells them.
+const char* name_of(BeamParameters::Law law);
+const char* name_of(PlasticityParameters::Law law);
 const char* name_of(ConductionParameters::Law law);
 const char* name_of(ConductionParameters::Integrator integrator);
 

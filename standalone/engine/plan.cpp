@@ -21,9 +21,22 @@ void ask(Plan& plan, const std::string& effect, const std::vector<const Column*>
   }
 }
 
-std::string beam_kernel(const BeamParameters& beams, bool periodic) {
-  std::string kernel = "move_beams";
-  if (beams.radius_from == BeamParameters::RadiusFrom::pair) kernel += ", radius from the pair";
+std::string beam_kernel(const BeamDemands& demands, bool periodic) {
+  std::string kernel = demands.turning() ? "move_beams" : "move_beams, springs";
+  switch (demands.flow()) {
+    case BeamFlow::none:
+      break;
+    case BeamFlow::brittle:
+      kernel += ", brittle";
+      break;
+    case BeamFlow::radial_return:
+      kernel += ", radial return";
+      break;
+    case BeamFlow::scaled_offset:
+      kernel += ", scaled offset";
+      break;
+  }
+  if (!beams_are_alike(demands.elasticity)) kernel += ", a rigidity for each bond";
   if (periodic) kernel += ", periodic";
   return kernel;
 }
@@ -42,11 +55,21 @@ std::string heat_kernel(const Setup& setup) {
 
 }  // namespace
 
+BeamDemands demands_of(const Setup& setup) {
+  return {setup.beams.value(), setup.plasticity, setup.rupture,
+          setup.contact && setup.contact->rebonding_pressure};
+}
+
 Plan make_plan(const Setup& setup, bool periodic) {
   Plan plan;
   if (setup.beams) {
-    plan.effects.push_back({"beams", "[beams]", beam_kernel(*setup.beams, periodic)});
-    ask(plan, "beams", Beams::columns(*setup.beams, periodic));
+    const BeamDemands demands = demands_of(setup);
+    std::string reason = "[beams]";
+    if (setup.plasticity) reason += " [plasticity]";
+    plan.effects.push_back({"beams", reason, beam_kernel(demands, periodic)});
+    ask(plan, "beams", Beams::columns(demands, periodic));
+    if (setup.rupture) plan.effects.push_back({"rupture", "[rupture]", ""});
+    if (setup.contact) plan.effects.push_back({"contact", "[contact]", ""});
   }
   for (const GripParameters& grip : setup.grips)
     plan.effects.push_back({"grip " + grip.name, "[[grips]]", ""});

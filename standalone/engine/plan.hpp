@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "effects/beams.hpp"
 #include "engine/setup.hpp"
 #include "model/columns.hpp"
 
@@ -28,6 +29,9 @@ struct Plan {
   std::vector<PlannedEffect> effects;
   std::vector<PlannedColumn> columns;
 };
+
+/// What a setup asks of its bonds; it must have some.
+BeamDemands demands_of(const Setup& setup);
 
 /// The plan of a setup; `periodic`: the specimen is, in some direction.
 Plan make_plan(const Setup& setup, bool periodic);

@@ -50,6 +50,9 @@ struct OutputControl {
 struct Setup {
   std::vector<Material> materials;
   std::optional<BeamParameters> beams;
+  std::optional<PlasticityParameters> plasticity;
+  std::optional<RuptureParameters> rupture;
+  std::optional<ContactParameters> contact;
   std::optional<ConductionParameters> conduction;
   std::vector<GripParameters> grips;
   std::vector<ImposedTemperatureParameters> temperatures;

@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "effects/beams.hpp"
+#include "effects/contact.hpp"
 #include "effects/grips.hpp"
+#include "effects/rupture.hpp"
 #include "engine/gauge.hpp"
 #include "engine/heat.hpp"
 #include "engine/sensors.hpp"
@@ -22,6 +24,7 @@ namespace {
 
 constexpr double default_ratio = 0.3;
 constexpr double default_rows = 200;
+constexpr std::int64_t check_every = 256;  // steps between two looks at the energy
 
 /// Figures by which a checkpoint knows the specimen that it was made of.
 std::vector<double> marks_of(const Model& model) {
@@ -68,6 +71,10 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   Observation start;
   observe(start);
   initial_energy_ = start.motion.kinetic_energy + start.motion.elastic_energy;
+  // Of bonds that are strained by round-off, with a wide margin.
+  if (beams_ != nullptr)
+    round_off_energy_ =
+        1e-18 * static_cast<double>(model_.slots().bonds()) * beams_->typical_energy(model_);
 }
 
 Model Simulation::make_model(Specimen specimen) {
@@ -91,9 +98,17 @@ Simulation::~Simulation() = default;
 
 void Simulation::add_motion(const std::vector<double>& density) {
   const std::vector<double> mass = represented_mass(model_.specimen(), density);
-  auto beams = std::make_unique<Beams>(*setup_.beams, mass, model_);
+  auto beams = std::make_unique<Beams>(demands_of(setup_), mass, model_);
   beams_ = beams.get();
   effects_.push_back(std::move(beams));
+  if (setup_.rupture) {
+    auto rupture = std::make_unique<Rupture>(*setup_.rupture, *beams_, model_);
+    rupture_ = rupture.get();
+    effects_.push_back(std::move(rupture));
+  }
+  if (setup_.contact)
+    effects_.push_back(
+        std::make_unique<ElementContacts>(*setup_.contact, *beams_, *rupture_, model_));
   for (const InitialVelocity& initial : setup_.initial_velocities)
     for (const std::int32_t e : select(initial.region, model_.specimen())) {
       double* velocity = model_.data(columns::velocity);
@@ -165,8 +180,37 @@ std::int64_t Simulation::steps_to_run() const {
       std::ceil(setup_.run.duration.value_or(0) / time_step_.value * (1 - 1e-12)));
 }
 
+void Simulation::insist_on_bounded_energy() {
+  // All that moves was paid for: by the start or by the grips. Velocities are half a step behind
+  // and the integrator swings a little about the energy, hence the factor.
+  constexpr double factor = 2;
+  double kinetic = 0;
+  const double* velocity = model_.data(columns::velocity);
+  const double* inverse_mass = model_.data(columns::inverse_mass);
+  for (std::size_t i = 0; i < model_.elements(); ++i) {
+    if (!(inverse_mass[i] > 0)) continue;
+    const std::size_t at = Model::at(columns::velocity, i);
+    const Vector v{velocity[at], velocity[at + lanes], velocity[at + std::size_t{2} * lanes]};
+    kinetic += 0.5 * dot(v, v) / inverse_mass[i];
+  }
+  double spent = kinetic;
+  if (model_.has(columns::plastic_work))
+    for (std::size_t i = 0; i < model_.elements(); ++i)
+      spent += model_.data(columns::plastic_work)[i];
+  double work = initial_energy_;
+  for (const auto& effect : effects_) work += effect->work();
+  largest_work_ = std::max(largest_work_, work);
+  if (spent <= factor * largest_work_ + round_off_energy_) return;
+  throw RunError("the run diverged: at step " + std::to_string(step_) + " (time " + text(time()) +
+                 " s) the elements move with " + text(kinetic) + " J and " + text(spent - kinetic) +
+                 " J went into plastic flow, but no more than " + text(largest_work_) +
+                 " J were ever put in; time step " + text(time_step_.value) +
+                 " s, stable limit at the start " + text(time_step_.limit) + " s");
+}
+
 void Simulation::advance(std::int64_t steps) {
   for (std::int64_t n = 0; n < steps; ++n) {
+    if (beams_ != nullptr && step_ % check_every == 0) insist_on_bounded_energy();
     const double dt = time_step_.value;
     const Step step{time(), dt, step_ == 0 ? 0.5 * dt : dt};
     for (const auto& effect : effects_) effect->advance(model_, step);
@@ -198,9 +242,13 @@ HistoryRow Simulation::observe(Observation& observation) const {
   HistoryRow row{step_, time(), {}};
   if (beams_ != nullptr) {
     const ObservedMotion& motion = observation.motion;
-    const double energy = motion.kinetic_energy + motion.elastic_energy;
+    const double energy = motion.kinetic_energy + motion.elastic_energy + motion.contact_energy +
+                          motion.plastic_work + motion.fracture_energy;
     row.values.emplace_back("kinetic_energy", motion.kinetic_energy);
     row.values.emplace_back("elastic_energy", motion.elastic_energy);
+    if (setup_.contact) row.values.emplace_back("contact_energy", motion.contact_energy);
+    if (setup_.plasticity) row.values.emplace_back("plastic_work", motion.plastic_work);
+    if (setup_.rupture) row.values.emplace_back("fracture_energy", motion.fracture_energy);
     row.values.emplace_back("external_work", motion.external_work);
     row.values.emplace_back("energy_balance", energy - initial_energy_ - motion.external_work);
   }
@@ -220,10 +268,15 @@ HistoryRow Simulation::observe(Observation& observation) const {
   return row;
 }
 
+bool Simulation::changes(const Column& column) const {
+  // Where bonds break and form, whatever belongs to a slot may change, and elements may be removed.
+  return column.dynamic || (rupture_ != nullptr && column.site != Site::conductor);
+}
+
 std::map<std::string, std::vector<double>> Simulation::save() const {
   std::map<std::string, std::vector<double>> saved;
   for (const PlannedColumn& planned : plan_.columns) {
-    if (!planned.column->dynamic) continue;
+    if (!changes(*planned.column)) continue;
     const double* data = model_.data(*planned.column);
     saved[std::string("column.") + planned.column->name] =
         std::vector<double>(data, data + model_.size(*planned.column));
@@ -233,6 +286,7 @@ std::map<std::string, std::vector<double>> Simulation::save() const {
     if (const std::vector<double> sums = effects[k]->save(); !sums.empty())
       saved["effect." + plan_.effects[k].name] = sums;
   saved["initial_energy"] = {initial_energy_};
+  saved["largest_work"] = {largest_work_};
   saved["time_step"] = {time_step_.value};
   if (heat_ != nullptr && heat_->integrator() != nullptr)
     saved["integrator"] = heat_->integrator()->save();
@@ -256,7 +310,7 @@ void Simulation::restore(std::int64_t step,
                      text(find("time_step").at(0)) + " s, the scene asks for " +
                      text(time_step_.value) + " s; resume with the same");
   for (const PlannedColumn& planned : plan_.columns) {
-    if (!planned.column->dynamic) continue;
+    if (!changes(*planned.column)) continue;
     const std::vector<double>& values = find(std::string("column.") + planned.column->name);
     if (values.size() != model_.size(*planned.column))
       throw InputError(std::string("the checkpoint's column ") + planned.column->name + " has " +
@@ -270,6 +324,7 @@ void Simulation::restore(std::int64_t step,
   if (heat_ != nullptr && heat_->integrator() != nullptr)
     heat_->integrator()->restore(find("integrator"));
   initial_energy_ = find("initial_energy").at(0);
+  largest_work_ = find("largest_work").at(0);
   step_ = step;
 }
 

@@ -17,6 +17,7 @@ namespace solidem {
 
 class Beams;
 class Heat;
+class Rupture;
 struct ConductionGeometry;
 
 /// The time step of a simulation and where it comes from.
@@ -47,7 +48,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Runs so many time steps.
+  /// Runs so many time steps. Throws RunError within 256 steps of the elements moving with more
+  /// energy than was ever put in.
   void advance(std::int64_t steps);
 
   /// Looks at the state; throws RunError when it is no longer finite.
@@ -70,6 +72,11 @@ class Simulation {
   /// Elements without a bond: free to move, with nothing to move them, and outside of all measures.
   std::size_t unbonded() const { return unbonded_; }
 
+  /// The bonds; none without beams.
+  const Beams* beams() const { return beams_; }
+  /// What breaks them; none without rupture.
+  const Rupture* rupture() const { return rupture_; }
+
   /// What conducts and heats; none without conduction.
   const Heat* heat() const { return heat_.get(); }
 
@@ -84,6 +91,9 @@ class Simulation {
   Model make_model(Specimen specimen);
   void add_observers();
   void choose_time_step(bool force);
+  void insist_on_bounded_energy();
+  /// Whether a run changes a column, so that it belongs into a checkpoint.
+  bool changes(const Column& column) const;
   std::vector<Effect*> all_effects() const;
 
   Setup setup_;
@@ -97,8 +107,11 @@ class Simulation {
   std::vector<std::unique_ptr<Effect>> effects_;  ///< of motion
   std::vector<std::unique_ptr<Observer>> observers_;
   Beams* beams_ = nullptr;
+  Rupture* rupture_ = nullptr;
   std::unique_ptr<Heat> heat_;
   double initial_energy_ = 0;
+  double largest_work_ = 0;      ///< that was ever in the body, J
+  double round_off_energy_ = 0;  ///< J
 };
 
 }  // namespace solidem

@@ -57,11 +57,16 @@ struct BeamRigidity {
   Real torsion;  ///< G I_0, N·m²
 };
 
+/// S = pi r², m².
+template <class Real>
+constexpr Real beam_area(const BeamSection<Real>& section) {
+  return Real{3.14159265358979323846} * section.radius * section.radius;
+}
+
 /// An Euler–Bernoulli beam of circular section: it does not shear.
 template <class Real>
 constexpr BeamRigidity<Real> euler_bernoulli_rigidity(const BeamSection<Real>& section) {
-  const Real pi{3.14159265358979323846};
-  const Real area = pi * section.radius * section.radius;
+  const Real area = beam_area(section);
   const Real twice_second_moment = area * section.radius * section.radius * Real{0.5};
   const Real bending = section.young_modulus * twice_second_moment;
   return {section.young_modulus * area, bending, bending,
@@ -75,9 +80,7 @@ constexpr BeamRigidity<Real> timoshenko_rigidity(const BeamSection<Real>& sectio
                                                  const Real& rest_length,
                                                  const Real& shear_coefficient) {
   BeamRigidity<Real> rigidity = euler_bernoulli_rigidity(section);
-  const Real pi{3.14159265358979323846};
-  const Real shear_stiffness =
-      shear_coefficient * section.shear_modulus * (pi * section.radius * section.radius);
+  const Real shear_stiffness = shear_coefficient * section.shear_modulus * beam_area(section);
   const Real flexibility =
       Real{6.0} * rigidity.bending / (shear_stiffness * rest_length * rest_length);
   rigidity.shear = rigidity.bending / (Real{1.0} + flexibility);
@@ -129,18 +132,27 @@ struct BeamDeformation {
   Real twist;                ///< φ, less the plastic twist, rad
 };
 
-/// The deformation in a pose; a chord of length zero gives finite figures.
+/// The deformation of a chord alone, without twist; a chord of length zero gives finite figures.
 template <class Real>
-constexpr BeamDeformation<Real> beam_deformation(const Real& rest_length,
-                                                 const BeamPose<Real>& pose) {
+constexpr BeamDeformation<Real> spring_deformation(const Real& rest_length,
+                                                   const Vector3<Real>& chord) {
   using std::sqrt;
   const Real tiny{1e-300};
-  const Real length = sqrt(dot(pose.chord, pose.chord) + tiny);
+  const Real length = sqrt(dot(chord, chord) + tiny);
   // One division, the slowest thing here, serves both reciprocals.
   const Real inverse_of_both = Real{1.0} / (length * rest_length);
   const Real inverse_length = inverse_of_both * rest_length;
-  return {inverse_length * pose.chord, inverse_length, inverse_of_both * length,
-          length - rest_length, dot(pose.relative_turn.v, pose.normal_i + pose.normal_j)};
+  return {inverse_length * chord, inverse_length, inverse_of_both * length, length - rest_length,
+          Real{0.0}};
+}
+
+/// The deformation in a pose.
+template <class Real>
+constexpr BeamDeformation<Real> beam_deformation(const Real& rest_length,
+                                                 const BeamPose<Real>& pose) {
+  BeamDeformation<Real> deformation = spring_deformation(rest_length, pose.chord);
+  deformation.twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
+  return deformation;
 }
 
 /// What the beam does to element i; element j receives −force and moment_j.
@@ -150,6 +162,14 @@ struct BeamLoad {
   Vector3<Real> moment_i;  ///< on i, N·m
   Vector3<Real> moment_j;  ///< on j, N·m
 };
+
+/// Force on element i of a beam that is a spring, N.
+template <class Real>
+constexpr Vector3<Real> spring_force(const BeamRigidity<Real>& rigidity,
+                                     const BeamDeformation<Real>& deformation) {
+  return (rigidity.axial * deformation.inverse_rest_length * deformation.extension) *
+         deformation.direction;
+}
 
 /// End loads of a beam in a pose with a deformation.
 template <class Real>

@@ -78,7 +78,48 @@ inline constexpr Column bond_radius{"bond_radius",
                                     1,
                                     false,
                                     "m",
-                                    "of the beam, where it depends on the pair"};
+                                    "of the beam, where it matters and differs"};
+inline constexpr Column bond_rigidity{
+    "bond_rigidity",
+    Site::slot,
+    Layout::lanes,
+    4,
+    1,
+    false,
+    "N, N m^2",
+    "axial, bending, shear and torsion of the beam, where beams differ"};
+inline constexpr Column section_normal{
+    "section_normal",
+    Site::slot,
+    Layout::lanes,
+    3,
+    1,
+    true,
+    "1",
+    "of the beam at the element, away from it, in the element's body axes; moves in plastic flow"};
+inline constexpr Column far_section_normal{
+    "far_section_normal",
+    Site::slot,
+    Layout::lanes,
+    3,
+    1,
+    true,
+    "1",
+    "the same at the neighbour, in the neighbour's body axes"};
+inline constexpr Column plastic_extension{
+    "plastic_extension", Site::slot, Layout::lanes, 1, 1, true, "m", "of the beam"};
+inline constexpr Column plastic_twist{"plastic_twist", Site::slot,   Layout::lanes, 1, 1, true,
+                                      "rad",           "of the beam"};
+inline constexpr Column plastic_strain{
+    "plastic_strain", Site::slot, Layout::lanes, 1, 1, true, "1", "of the beam, equivalent"};
+inline constexpr Column plastic_work{"plastic_work",
+                                     Site::element,
+                                     Layout::lanes,
+                                     1,
+                                     1,
+                                     true,
+                                     "J",
+                                     "half of that of the element's bonds"};
 inline constexpr Column image_shift{"image_shift",
                                     Site::slot,
                                     Layout::lanes,

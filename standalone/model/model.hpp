@@ -21,6 +21,8 @@ class Model {
 
   const Specimen& specimen() const { return specimen_; }
   const Slots& slots() const { return slots_; }
+  /// Bonds may break and form anew.
+  Slots& slots() { return slots_; }
   /// Both sides of the pairs that conduct heat: the slots of the bonds unless others were given.
   const Slots& conductors() const { return conductors_ ? *conductors_ : slots_; }
   std::size_t elements() const { return specimen_.size(); }

@@ -36,6 +36,27 @@ Slots::Slots(std::size_t elements, const std::vector<Pair>& bonds)
   for (const Pair& bond : bonds) put(bond.i, bond.j);
 }
 
+std::int32_t Slots::element_of(Place place) const {
+  const auto after = std::upper_bound(first_row_.begin(), first_row_.end(), place.row);
+  const auto block = static_cast<std::int32_t>(after - first_row_.begin()) - 1;
+  return block * lanes + place.lane;
+}
+
+std::optional<Slots::Place> Slots::find(std::int32_t element, std::int32_t neighbour) const {
+  const auto block = static_cast<std::size_t>(element / lanes);
+  for (std::size_t row = first_row_[block]; row < first_row_[block + 1]; ++row)
+    if (const Place place{row, element % lanes}; neighbour_of(place) == neighbour) return place;
+  return std::nullopt;
+}
+
+int Slots::coordination(std::int32_t element) const {
+  const auto block = static_cast<std::size_t>(element / lanes);
+  int count = 0;
+  for (std::size_t row = first_row_[block]; row < first_row_[block + 1]; ++row)
+    if (neighbour_of({row, element % lanes}) != element) ++count;
+  return count;
+}
+
 std::vector<int> Slots::coordination() const {
   std::vector<int> count(elements_, 0);
   for_each([&](std::int32_t element, std::int32_t, std::size_t, int) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/buffer.hpp"
@@ -24,6 +25,7 @@ class Slots {
   Slots(std::size_t elements, const std::vector<Pair>& bonds);
 
   std::size_t elements() const { return elements_; }
+  /// Bonds at the start.
   std::size_t bonds() const { return bonds_; }
   std::size_t blocks() const { return first_row_.size() - 1; }
   /// Elements counting those that fill the last block up.
@@ -52,6 +54,29 @@ class Slots {
         if (neighbour != element) visit(element, neighbour, row, lane);
       }
   }
+
+  /// Where one side of a bond stands.
+  struct Place {
+    std::size_t row;
+    int lane;
+    std::size_t index() const { return row * lanes + static_cast<std::size_t>(lane); }
+  };
+  static Place place_of(std::size_t index) {
+    return {index / lanes, static_cast<int>(index % lanes)};
+  }
+
+  /// The element whose slot this is.
+  std::int32_t element_of(Place place) const;
+  std::int32_t neighbour_of(Place place) const { return neighbour_[place.index()]; }
+
+  /// The slot in which an element sees a neighbour; for the element itself, the first that is free.
+  std::optional<Place> find(std::int32_t element, std::int32_t neighbour) const;
+
+  /// Puts a neighbour into a slot; the element itself empties it.
+  void set_neighbour(Place place, std::int32_t neighbour) { neighbour_[place.index()] = neighbour; }
+
+  /// Number of bonds that an element has now.
+  int coordination(std::int32_t element) const;
 
   /// Number of bonds of each element.
   std::vector<int> coordination() const;

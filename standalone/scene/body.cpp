@@ -20,6 +20,11 @@ Specimen make_body(const Scene& scene, const ReportProgress& progress) {
   } else if (!from_file || specimen.bonds.empty()) {
     make_bonds(specimen, 0);
   }
+  const auto& beams = scene.setup.beams;
+  if (beams && beams->fibres) {
+    add_fibres(specimen, beams->fibres->rule);
+    measure_specimen(specimen);
+  }
   return specimen;
 }
 

@@ -58,8 +58,13 @@ void check(const Section& section, const CalibrationTargets& targets) {
 }  // namespace
 
 Rule calibration_section(std::optional<CalibrationRequest>& calibration,
+                         std::optional<OrthotropicRequest>& orthotropic,
                          const std::optional<BeamParameters>& beams) {
-  return table([&calibration, &beams](const Section& section) {
+  return table([&calibration, &orthotropic, &beams](const Section& section) {
+    if (asks_for_orthotropic_calibration(section)) {
+      orthotropic = read_orthotropic_calibration(section, beams);
+      return;
+    }
     CalibrationRequest request;
     CalibrationTargets& targets = request.targets;
     section.read(

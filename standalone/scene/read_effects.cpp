@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// [material], [conduction] and [beams].
+// [material], [conduction] and [[contacts]].
 #include "scene/rules.hpp"
 #include "scene/sections.hpp"
 
@@ -106,27 +106,6 @@ Rule contacts_section(std::optional<ConductionParameters>& conduction,
                   must_have("conductance",
                             quantity(contact.conductance, dimension::heat_transfer, positive))});
     if (conduction) conduction->contacts.push_back(contact);
-  });
-}
-
-Rule beams_section(std::optional<BeamParameters>& beams) {
-  return table([&beams](const Section& section) {
-    BeamParameters parameters;
-    double poisson_ratio = 0;
-    using RadiusFrom = BeamParameters::RadiusFrom;
-    section.read({must_have("young_modulus",
-                            quantity(parameters.young_modulus, dimension::modulus, positive)),
-                  may_have("poisson_ratio", number(poisson_ratio, Range{-1, 0.5, false, true})),
-                  may_have("shear_modulus",
-                           quantity(parameters.shear_modulus, dimension::modulus, positive)),
-                  must_have("radius_ratio", number(parameters.radius_ratio, positive)),
-                  may_have("radius_from", choice<RadiusFrom>(parameters.radius_from,
-                                                             {{"mean", RadiusFrom::mean},
-                                                              {"pair", RadiusFrom::pair}}))});
-    section.exactly_one_of({"poisson_ratio", "shear_modulus"});
-    if (section.has("poisson_ratio"))
-      parameters.shear_modulus = parameters.young_modulus / (2 * (1 + poisson_ratio));
-    beams = parameters;
   });
 }
 

@@ -45,11 +45,16 @@ void check_effects(const Section& root, NamedEffects effects) {
       if (root.has(key)) root.refuse(key, problem, expected);
   };
   if (!effects.beams && !effects.conduction)
-    refuse_all({"material", "contacts", "grips", "temperatures", "heat_fluxes", "convections",
-                "heat_sources", "initial_velocities", "sensors", "gauge", "run", "output"},
+    refuse_all({"material", "plasticity", "rupture", "contact", "contacts", "grips", "temperatures",
+                "heat_fluxes", "convections", "heat_sources", "initial_velocities", "sensors",
+                "gauge", "calibration", "run", "output"},
                "the scene has no effect", "a section [beams] or [conduction]");
   if (!effects.beams)
-    refuse_all({"grips", "initial_velocities", "gauge"}, "nothing moves", "a section [beams]");
+    refuse_all(
+        {"grips", "initial_velocities", "gauge", "plasticity", "rupture", "contact", "calibration"},
+        "nothing moves", "a section [beams]");
+  if (root.has("contact") && !root.has("rupture"))
+    root.refuse("contact", "no bond ever breaks", "a section [rupture] beside it");
   if (!effects.conduction)
     refuse_all({"contacts", "temperatures", "heat_fluxes", "convections", "heat_sources"},
                "nothing conducts heat", "a section [conduction]");
@@ -90,6 +95,11 @@ Scene read_scene(const std::string& path) {
       may_have("conduction", conduction_section(setup.conduction)),
       may_have("contacts", contacts_section(setup.conduction, setup.materials)),
       may_have("beams", beams_section(setup.beams)),
+      may_have("plasticity", plasticity_section(setup.plasticity, setup.beams)),
+      may_have("rupture", rupture_section(setup.rupture, setup.beams)),
+      may_have("contact", contact_section(setup.contact)),
+      may_have("calibration",
+               calibration_section(scene.calibration, scene.orthotropic_calibration, setup.beams)),
       may_have("grips", grips_section(setup.grips, named)),
       may_have("temperatures", temperatures_section(setup.temperatures, named)),
       may_have("heat_fluxes", heat_fluxes_section(setup.heat_fluxes)),
@@ -98,7 +108,9 @@ Scene read_scene(const std::string& path) {
       may_have("initial_velocities", initial_velocities_section(setup.initial_velocities, named)),
       may_have("sensors", sensors_section(setup.sensors, effects)),
       may_have("gauge", gauge_section(setup.gauge)),
-      with_effects("run", run_section(setup.run)),
+      // A calibration pulls bars of its own.
+      root.has("calibration") ? may_have("run", run_section(setup.run))
+                              : with_effects("run", run_section(setup.run)),
       may_have("output", output_section(setup.output)),
   });
   check_effects(root, effects);

@@ -7,6 +7,7 @@
 #include "engine/calibration.hpp"
 #include "engine/setup.hpp"
 #include "scene/record.hpp"
+#include "solve/orthotropic_calibration.hpp"
 #include "specimen/recipe.hpp"
 
 namespace solidem {
@@ -18,8 +19,9 @@ struct Scene {
   SpecimenRecipe specimen;
   std::optional<double> bond_tolerance;  ///< t of [bonds]; none: the specimen file's bonds, or 0
   Setup setup;
-  std::optional<CalibrationRequest> calibration;  ///< of [calibration]
-  Record record;  ///< of all that was read
+  std::optional<CalibrationRequest> calibration;              ///< of [calibration]
+  std::optional<OrthotropicRequest> orthotropic_calibration;  ///< of [calibration] with a grain
+  Record record;                                              ///< of all that was read
 };
 
 /// Reads a scene file. Strict: an unknown key, a wrong unit, a missing or an impossible value

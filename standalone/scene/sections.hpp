@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "engine/calibration.hpp"
 #include "engine/setup.hpp"
 #include "scene/regions.hpp"
 #include "scene/section.hpp"
+#include "solve/orthotropic_calibration.hpp"
 #include "specimen/recipe.hpp"
 
 namespace solidem {
@@ -31,7 +33,28 @@ Rule material_section(std::vector<Material>& materials, const NamedRegions& name
 Rule conduction_section(std::optional<ConductionParameters>& conduction);
 Rule contacts_section(std::optional<ConductionParameters>& conduction,
                       const std::vector<Material>& materials);
+
+// read_beams.cpp
 Rule beams_section(std::optional<BeamParameters>& beams);
+Rule plasticity_section(std::optional<PlasticityParameters>& plasticity,
+                        const std::optional<BeamParameters>& beams);
+Rule rupture_section(std::optional<RuptureParameters>& rupture,
+                     const std::optional<BeamParameters>& beams);
+Rule contact_section(std::optional<ContactParameters>& contact);
+
+// read_anisotropy.cpp: parts of [beams]
+Rule anisotropy_section(BeamParameters& beams);
+Rule fibres_section(BeamParameters& beams);
+
+// read_calibration.cpp
+Rule calibration_section(std::optional<CalibrationRequest>& calibration,
+                         std::optional<OrthotropicRequest>& orthotropic,
+                         const std::optional<BeamParameters>& beams);
+
+// read_orthotropic_calibration.cpp: [calibration] of beams that have a grain
+bool asks_for_orthotropic_calibration(const Section& section);
+OrthotropicRequest read_orthotropic_calibration(const Section& section,
+                                                const std::optional<BeamParameters>& beams);
 
 // read_loads.cpp
 Rule grips_section(std::vector<GripParameters>& grips, const NamedRegions& named);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "effects/effect.hpp"
@@ -64,28 +65,75 @@ Eigen::VectorXd BondedBody::sum(const std::vector<BeamLoad<double>>& loads) cons
   return total;
 }
 
-BondMotion BondedBody::motion(std::size_t bond, const Eigen::VectorXd& field,
-                              const Matrix3& gradient) const {
-  const Index i = 6 * network_->bonds[bond].i, j = 6 * network_->bonds[bond].j;
-  return {vector_at(field, j) - vector_at(field, i) + image_shift(bond, gradient),
-          (1 / length_) * vector_at(field, i + 3), (1 / length_) * vector_at(field, j + 3)};
+BodyPose BondedBody::rest_pose() const {
+  BodyPose pose;
+  pose.displacement.resize(elements());
+  pose.orientation.resize(elements());
+  return pose;
 }
 
-std::vector<BeamLoad<double>> BondedBody::small_motion_loads(const Eigen::VectorXd& field,
-                                                             const Matrix3& gradient) const {
-  std::vector<BeamLoad<double>> loads(rest_.size());
-  for_blocks(rest_.size(), 1000, [&](std::size_t first, std::size_t last) {
-    for (std::size_t b = first; b < last; ++b)
-      loads[b] = load_rate(rest_[b], motion(b, field, gradient));
-  });
+BodyPose BondedBody::pose_of(const Equilibrium& equilibrium) const {
+  BodyPose pose = rest_pose();
+  move(pose, field_of(equilibrium, length_));
+  pose.gradient = equilibrium.periodic_gradient;
+  return pose;
+}
+
+void BondedBody::move(BodyPose& pose, const Eigen::VectorXd& change) const {
+  for (std::size_t e = 0; e < elements(); ++e) {
+    pose.displacement[e] += vector_at(change, static_cast<Index>(6 * e));
+    const Vector turn = (1 / length_) * vector_at(change, static_cast<Index>(6 * e + 3));
+    const double angle = norm(turn);
+    if (angle == 0) continue;
+    Quaternion<double>& q = pose.orientation[e];
+    q = Quaternion<double>{std::cos(0.5 * angle), (std::sin(0.5 * angle) / angle) * turn} * q;
+    const double scale = 1 / std::sqrt(q.w * q.w + dot(q.v, q.v));
+    q = {scale * q.w, scale * q.v};
+  }
+}
+
+std::vector<BondState> BondedBody::bonds_at(const BodyPose& pose) const {
+  std::vector<BondState> bonds = rest_;
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const auto i = static_cast<std::size_t>(network_->bonds[b].i);
+    const auto j = static_cast<std::size_t>(network_->bonds[b].j);
+    bonds[b].chord += pose.displacement[j] - pose.displacement[i] + image_shift(b, pose.gradient);
+    bonds[b].orientation_i = pose.orientation[i];
+    bonds[b].orientation_j = pose.orientation[j];
+  }
+  return bonds;
+}
+
+BondMotion BondedBody::motion(std::size_t bond, const Eigen::VectorXd& change,
+                              const Matrix3& gradient) const {
+  const Index i = 6 * network_->bonds[bond].i, j = 6 * network_->bonds[bond].j;
+  return {vector_at(change, j) - vector_at(change, i) + image_shift(bond, gradient),
+          (1 / length_) * vector_at(change, i + 3), (1 / length_) * vector_at(change, j + 3)};
+}
+
+std::vector<BeamLoad<double>> BondedBody::loads(const std::vector<BondState>& bonds) const {
+  std::vector<BeamLoad<double>> loads;
+  loads.reserve(bonds.size());
+  for (const BondState& bond : bonds) loads.push_back(bond.load());
   return loads;
 }
 
-double BondedBody::small_motion_energy(const Eigen::VectorXd& field, const Matrix3& gradient,
+std::vector<BeamLoad<double>> BondedBody::load_rates(const std::vector<BondState>& bonds,
+                                                     const Eigen::VectorXd& change,
+                                                     const Matrix3& gradient) const {
+  std::vector<BeamLoad<double>> rates(bonds.size());
+  for_blocks(bonds.size(), 1000, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b)
+      rates[b] = load_rate(bonds[b], motion(b, change, gradient));
+  });
+  return rates;
+}
+
+double BondedBody::small_motion_energy(const Eigen::VectorXd& change, const Matrix3& gradient,
                                        const std::vector<BeamLoad<double>>& loads) const {
   double energy = 0;
   for (std::size_t b = 0; b < loads.size(); ++b) {
-    const BondMotion m = motion(b, field, gradient);
+    const BondMotion m = motion(b, change, gradient);
     energy += 0.5 * (dot(loads[b].force, m.chord) - dot(loads[b].moment_i, m.spin_i) -
                      dot(loads[b].moment_j, m.spin_j));
   }
@@ -142,15 +190,21 @@ void insist_on_resistance(const StiffnessSolver& solver, const BondedBody& body,
                    "expected beams instead of springs, or no load there");
 }
 
-double residual_share(const BondedBody& body, const std::vector<BeamLoad<double>>& loads,
-                      const Eigen::VectorXd& out_of_balance) {
-  double squares = 0;
+Balance balance(const BondedBody& body, const std::vector<BeamLoad<double>>& loads,
+                const Eigen::VectorXd& out_of_balance) {
+  double squares = 0, stiffness = 0;
   const double per_length = 1 / body.length();
   for (const BeamLoad<double>& load : loads) {
     const Vector m_i = per_length * load.moment_i, m_j = per_length * load.moment_j;
     squares += 2 * dot(load.force, load.force) + dot(m_i, m_i) + dot(m_j, m_j);
   }
-  return squares > 0 ? out_of_balance.norm() / std::sqrt(squares) : out_of_balance.norm();
+  for (const BondState& bond : body.rest()) {
+    const double shear = 6 * bond.rigidity.shear / (bond.rest_length * bond.rest_length);
+    stiffness += 2 * (bond.rigidity.axial * bond.rigidity.axial + shear * shear);
+  }
+  const double scale = squares > 0 ? std::sqrt(squares) : 1;
+  return {out_of_balance.norm() / scale,
+          2 * std::numeric_limits<double>::epsilon() * std::sqrt(stiffness) / scale};
 }
 
 Eigen::VectorXd field_of(const Equilibrium& equilibrium, double length) {
@@ -163,13 +217,24 @@ Eigen::VectorXd field_of(const Equilibrium& equilibrium, double length) {
   return field;
 }
 
-void set_field(const Eigen::VectorXd& field, double length, Equilibrium& equilibrium) {
+void set_motion(const Eigen::VectorXd& field, double length, Equilibrium& equilibrium) {
   const auto elements = static_cast<std::size_t>(field.size()) / 6;
   equilibrium.displacement.resize(elements);
   equilibrium.rotation.resize(elements);
   for (std::size_t e = 0; e < elements; ++e) {
     equilibrium.displacement[e] = vector_at(field, static_cast<Index>(6 * e));
     equilibrium.rotation[e] = (1 / length) * vector_at(field, static_cast<Index>(6 * e + 3));
+  }
+}
+
+void set_motion(const BodyPose& pose, Equilibrium& equilibrium) {
+  equilibrium.displacement = pose.displacement;
+  equilibrium.rotation.clear();
+  for (const Quaternion<double>& q : pose.orientation) {
+    // q and −q are the same orientation: the shorter way round.
+    const double sine = norm(q.v), side = q.w < 0 ? -1 : 1;
+    const double angle = 2 * std::atan2(sine, std::abs(q.w));
+    equilibrium.rotation.push_back(sine == 0 ? Vector{} : (side * angle / sine) * q.v);
   }
 }
 

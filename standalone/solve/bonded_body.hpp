@@ -10,6 +10,13 @@
 
 namespace solidem {
 
+/// Where the elements of a body stand.
+struct BodyPose {
+  std::vector<Vector> displacement;             ///< m
+  std::vector<Quaternion<double>> orientation;  ///< unit
+  Matrix3 gradient{};                           ///< of a periodic body
+};
+
 /// A network with its rest state. Fields over the elements are vectors of six entries for each:
 /// displacement and turn × length(), so that all are in m; or force and moment / length(), all in
 /// N.
@@ -20,22 +27,29 @@ class BondedBody {
   const BeamNetwork& network() const { return *network_; }
   std::size_t elements() const { return network_->specimen->size(); }
   double length() const { return length_; }  ///< mean rest length, m
+  /// The bonds at rest.
   const std::vector<BondState>& rest() const { return rest_; }
-  /// What the displacement gradient of a periodic body moves the far end of a bond by, m.
-  Vector image_shift(std::size_t bond, const Matrix3& gradient) const;
 
-  /// Sum of the bonds' loads on each element.
+  BodyPose rest_pose() const;
+  BodyPose pose_of(const Equilibrium& equilibrium) const;
+  /// Displaces the elements and turns them, about fixed axes.
+  void move(BodyPose& pose, const Eigen::VectorXd& change) const;
+  std::vector<BondState> bonds_at(const BodyPose& pose) const;
+
+  std::vector<BeamLoad<double>> loads(const std::vector<BondState>& bonds) const;
+  /// Rates of the loads, from `bonds`, along a change of the elements and the periodic gradient.
+  std::vector<BeamLoad<double>> load_rates(const std::vector<BondState>& bonds,
+                                           const Eigen::VectorXd& change,
+                                           const Matrix3& gradient) const;
+  /// Sum of loads on each element.
   Eigen::VectorXd sum(const std::vector<BeamLoad<double>>& loads) const;
-
-  /// What small displacements and turns make of the bonds' loads.
-  std::vector<BeamLoad<double>> small_motion_loads(const Eigen::VectorXd& field,
-                                                   const Matrix3& gradient) const;
-  /// Elastic energy of small displacements and turns that make these loads, J.
-  double small_motion_energy(const Eigen::VectorXd& field, const Matrix3& gradient,
+  /// Elastic energy of a small change from rest that makes these loads, J.
+  double small_motion_energy(const Eigen::VectorXd& change, const Matrix3& gradient,
                              const std::vector<BeamLoad<double>>& loads) const;
 
  private:
-  BondMotion motion(std::size_t bond, const Eigen::VectorXd& field, const Matrix3& gradient) const;
+  Vector image_shift(std::size_t bond, const Matrix3& gradient) const;
+  BondMotion motion(std::size_t bond, const Eigen::VectorXd& change, const Matrix3& gradient) const;
 
   const BeamNetwork* network_;
   double length_ = 0;
@@ -59,13 +73,19 @@ BoundaryConditions boundary_conditions(const BondedBody& body,
 void insist_on_resistance(const class StiffnessSolver& solver, const BondedBody& body,
                           const Eigen::VectorXd& load);
 
-/// Force out of balance, as a share of the bonds' loads on the elements.
-double residual_share(const BondedBody& body, const std::vector<BeamLoad<double>>& loads,
-                      const Eigen::VectorXd& out_of_balance);
+/// How well forces are in balance, as shares of the bonds' loads on the elements.
+struct Balance {
+  double residual;   ///< force out of balance
+  double round_off;  ///< what of it may be round-off: chords known to 16 digits, times stiffness
+};
+Balance balance(const BondedBody& body, const std::vector<BeamLoad<double>>& loads,
+                const Eigen::VectorXd& out_of_balance);
 
-/// Displacements and turns of an equilibrium as a field, and back.
+/// The displacements and turns of an equilibrium as a field, and those of a field or pose into an
+/// equilibrium.
 Eigen::VectorXd field_of(const Equilibrium& equilibrium, double length);
-void set_field(const Eigen::VectorXd& field, double length, Equilibrium& equilibrium);
+void set_motion(const Eigen::VectorXd& field, double length, Equilibrium& equilibrium);
+void set_motion(const BodyPose& pose, Equilibrium& equilibrium);
 
 /// Reactions: what the bonds and loads leave on degrees of freedom that are held; bond forces.
 void set_reactions(const BondedBody& body, const BoundaryConditions& conditions,

@@ -49,14 +49,15 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
       if (!solver.is_free(static_cast<std::size_t>(k))) field[k] = conditions.value[k];
   }
   Equilibrium result;
+  result.periodic_gradient = options.periodic_gradient;
   std::vector<BeamLoad<double>> bond_loads;
   double last = 0;
   for (int round = 0;; ++round) {
-    bond_loads = body.small_motion_loads(field, options.periodic_gradient);
+    bond_loads = body.load_rates(body.rest(), field, options.periodic_gradient);
     Eigen::VectorXd force = body.sum(bond_loads) + conditions.load;
     for (Eigen::Index k = 0; k < force.size(); ++k)
       if (!solver.is_free(static_cast<std::size_t>(k))) force[k] = 0;
-    result.residual = residual_share(body, bond_loads, force);
+    result.residual = balance(body, bond_loads, force).residual;
     if (round > 0 && result.residual <= options.tolerance) break;
     if (round > 1 && result.residual > 0.5 * last) break;  // as far as round-off lets it come
     if (round == 8) break;
@@ -75,7 +76,7 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
     throw RunError("no static equilibrium: forces out of balance remain at " +
                    std::to_string(result.residual) + " of the bonds' forces after " +
                    std::to_string(result.iterations) + " iterations");
-  set_field(field, body.length(), result);
+  set_motion(field, body.length(), result);
   set_reactions(body, conditions, bond_loads, result);
   result.energy = body.small_motion_energy(field, options.periodic_gradient, bond_loads);
   return result;

@@ -51,9 +51,14 @@ struct Equilibrium {
   std::vector<Vector> reaction;         ///< force of the constraints on each element, N
   std::vector<Vector> reaction_moment;  ///< N·m
   std::vector<Vector> bond_force;       ///< on element i of each bond of the network, N
+  Matrix3 periodic_gradient{};          ///< of a periodic body, as asked for
   int iterations = 0;                   ///< of conjugate gradients; 1: factorised
   double residual = 0;  ///< force out of balance, as a share of the bonds' forces on the elements
   double energy = 0;    ///< elastic, J
+  /// Of finite_equilibrium: steps of the load, corrections by Newton's method, and whether the
+  /// equilibrium is known to be unstable.
+  int load_steps = 1, corrections = 1;
+  bool unstable = false;
 };
 
 struct EquilibriumOptions {

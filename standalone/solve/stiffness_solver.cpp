@@ -33,7 +33,7 @@ auto segment(const std::vector<double>& v, std::size_t row) {
   return Eigen::Map<const Eigen::Matrix<double, 6, 1>>(v.data() + 6 * row);
 }
 
-double product(const std::vector<double>& a, const std::vector<double>& b) {
+double inner_product(const std::vector<double>& a, const std::vector<double>& b) {
   const std::size_t width = 6 * chunk, chunks = (a.size() + width - 1) / width;
   std::vector<double> part(chunks);
   for_blocks(chunks, least_chunks, [&](std::size_t first, std::size_t last) {
@@ -148,7 +148,7 @@ double StiffnessSolver::foreseen_iterations() const {
 }
 
 void StiffnessSolver::assemble(const std::function<BondTangent(std::size_t)>& tangent_of,
-                               double shift, const Eigen::VectorXd& mass) {
+                               double shift) {
   block_.assign(column_.size(), Block::Zero());
   Eigen::Matrix<double, 12, 1> unit = Eigen::Matrix<double, 12, 1>::Ones();
   for (const int k : {3, 4, 5, 9, 10, 11}) unit[k] = 1 / length_;
@@ -174,9 +174,8 @@ void StiffnessSolver::assemble(const std::function<BondTangent(std::size_t)>& ta
       block_[static_cast<std::size_t>(place_[b][1])] = t.bottomLeftCorner<6, 6>();
     }
   }
-  for (std::size_t r = 0; r < element_of_.size() && mass.size() > 0; ++r)
-    diagonal(static_cast<std::int32_t>(r)).diagonal() +=
-        shift * mass.segment<6>(Eigen::Index{6} * element_of_[r]);
+  for (std::size_t r = 0; r < element_of_.size(); ++r)
+    diagonal(static_cast<std::int32_t>(r)).diagonal().array() += shift;
   hold();
   resist_everything();
   if (factorised_) factorise();
@@ -282,6 +281,26 @@ std::vector<double> StiffnessSolver::gather(const Eigen::VectorXd& all) const {
   return some;
 }
 
+Eigen::VectorXd StiffnessSolver::scatter(const std::vector<double>& some, Eigen::Index size) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(size);
+  for (std::size_t r = 0; r < element_of_.size(); ++r)
+    all.segment<6>(Eigen::Index{6} * element_of_[r]) = segment(some, r);
+  return all;
+}
+
+Eigen::VectorXd StiffnessSolver::product(const Eigen::VectorXd& x) const {
+  std::vector<double> image(6 * element_of_.size());
+  multiply(gather(x), image);
+  return scatter(image, x.size());
+}
+
+double StiffnessSolver::largest_stiffness() const {
+  double largest = 0;
+  for (std::size_t r = 0; r < element_of_.size(); ++r)
+    largest = std::max(largest, diagonal(static_cast<std::int32_t>(r)).diagonal().maxCoeff());
+  return largest;
+}
+
 void StiffnessSolver::multiply(const std::vector<double>& x, std::vector<double>& y) const {
   for_blocks((element_of_.size() + chunk - 1) / chunk, least_chunks,
              [&](std::size_t first, std::size_t last) {
@@ -307,23 +326,24 @@ StiffnessSolver::Result StiffnessSolver::iterate(const Eigen::VectorXd& b, Eigen
     });
   };
   std::vector<double> left = gather(x), residual = gather(b), image(size), z(size), p(size);
-  const double goal = tolerance * std::sqrt(product(residual, residual));
+  const double goal = tolerance * std::sqrt(inner_product(residual, residual));
   multiply(left, image);
   over_rows([&](std::size_t r) {
     segment(residual, r) -= segment(image, r);
     segment(z, r) = inverse_[r] * segment(residual, r);
   });
   p = z;
-  double rz = product(residual, z);
+  double rz = inner_product(residual, z);
   Result result;
   const int most = 1000 + 20 * static_cast<int>(std::min(size, std::size_t{1000000}));
   while (true) {
-    if (std::sqrt(product(residual, residual)) <= goal) break;
+    if (std::sqrt(inner_product(residual, residual)) <= goal) break;
     multiply(p, image);
-    const double curvature = product(p, image);
+    const double curvature = inner_product(p, image);
     if (!(curvature > 0) || result.iterations == most) {
       result.converged = false;
       result.positive = curvature > 0;
+      if (!result.positive && result.iterations == 0) left = p;
       break;
     }
     ++result.iterations;
@@ -333,13 +353,11 @@ StiffnessSolver::Result StiffnessSolver::iterate(const Eigen::VectorXd& b, Eigen
       segment(residual, r) -= step * segment(image, r);
       segment(z, r).noalias() = inverse_[r] * segment(residual, r);
     });
-    const double next = product(residual, z), ratio = next / rz;
+    const double next = inner_product(residual, z), ratio = next / rz;
     rz = next;
     over_rows([&](std::size_t r) { segment(p, r) = segment(z, r) + ratio * segment(p, r); });
   }
-  x.setZero(b.size());
-  for (std::size_t r = 0; r < rows; ++r)
-    x.segment<6>(Eigen::Index{6} * element_of_[r]) = segment(left, r);
+  x = scatter(left, b.size());
   return result;
 }
 

@@ -30,10 +30,8 @@ class StiffnessSolver {
   StiffnessSolver(std::size_t elements, const std::vector<Pair>& bonds, std::vector<char> held,
                   double length, LinearMethod method);
 
-  /// Sets K from the tangent of each bond. `mass` (6 for each element, over length² for turns, may
-  /// be empty) times `shift` is added on the diagonal.
-  void assemble(const std::function<BondTangent(std::size_t bond)>& tangent_of, double shift = 0,
-                const Eigen::VectorXd& mass = {});
+  /// Sets K from the tangent of each bond; `shift` is added on the diagonal, N/m.
+  void assemble(const std::function<BondTangent(std::size_t bond)>& tangent_of, double shift = 0);
 
   struct Result {
     int iterations = 0;     ///< of conjugate gradients; 1 when factorised
@@ -44,6 +42,11 @@ class StiffnessSolver {
   /// given and end when the residual is below `tolerance` |b|, or where K turns out not to be
   /// positive definite.
   Result solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) const;
+
+  /// K x, zero where held.
+  Eigen::VectorXd product(const Eigen::VectorXd& x) const;
+  /// The largest entry on the diagonal of K, N/m.
+  double largest_stiffness() const;
 
   bool is_factorised() const { return factorised_; }
   /// Whether a degree of freedom (6 element + degree) is solved for.
@@ -68,6 +71,9 @@ class StiffnessSolver {
   Block& diagonal(std::int32_t row) {
     return block_[static_cast<std::size_t>(start_[static_cast<std::size_t>(row)])];
   }
+  const Block& diagonal(std::int32_t row) const {
+    return block_[static_cast<std::size_t>(start_[static_cast<std::size_t>(row)])];
+  }
   void hold();
   void resist_everything();
   void factorise();
@@ -75,6 +81,7 @@ class StiffnessSolver {
   Result iterate(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) const;
   void multiply(const std::vector<double>& x, std::vector<double>& y) const;
   std::vector<double> gather(const Eigen::VectorXd& all) const;
+  Eigen::VectorXd scatter(const std::vector<double>& some, Eigen::Index size) const;
 
   std::vector<Pair> bonds_;
   std::vector<char> held_;

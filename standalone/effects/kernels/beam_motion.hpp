@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Beam loads gathered element by element, fused with the time step: force, kick and drift in one
-// pass.
+// Loads of bonds gathered element by element, fused with the time step: flow, force, kick and drift
+// in one pass. Specialised at compile time on what a scene asks for.
 #ifndef SOLIDEM_EFFECTS_KERNELS_BEAM_MOTION_HPP
 #define SOLIDEM_EFFECTS_KERNELS_BEAM_MOTION_HPP
+
+#include <algorithm>
 
 #include "effects/kernels/kernels.hpp"
 #include "effects/kernels/pack.hpp"
@@ -25,6 +27,10 @@ inline void store_vector(const PackVector& vector, double* lanes_of_x) {
   vector.z.store(lanes_of_x + std::ptrdiff_t{2} * lanes);
 }
 
+inline PackVector select(Mask condition, const PackVector& a, const PackVector& b) {
+  return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
+}
+
 inline PackVector centre(const Row& row) {
   return {row.component[0], row.component[1], row.component[2]};
 }
@@ -33,11 +39,161 @@ inline Quaternion<Pack> orientation(const Row& row) {
   return {row.component[4], {row.component[5], row.component[6], row.component[7]}};
 }
 
-template <bool radius_from_pair, bool periodic>
+/// Where a pack of slots stands in the columns of slots.
+struct SlotPlace {
+  std::size_t row, lane;
+  std::size_t of(std::size_t components, std::size_t component = 0) const {
+    return (components * row + component) * lanes + lane;
+  }
+};
+
+/// The bonds of a pack of slots, as they stand before any flow of this step.
+struct BondPack {
+  BeamRigidity<Pack> rigidity;
+  Pack rest_length;
+  BeamPose<Pack> pose;
+  BeamDeformation<Pack> deformation;  ///< elastic
+  BeamHistory<Pack> history;
+};
+
+constexpr bool remembers(BeamFlow flow) {
+  return flow == BeamFlow::radial_return || flow == BeamFlow::scaled_offset;
+}
+
+template <bool turning, bool own_rigidity, BeamFlow flow>
+inline BondPack bonds_in(const BeamMotion& m, const SlotPlace& slot, const PackVector& chord,
+                         const Rotation<Pack>& rotation, const Quaternion<Pack>& turned_back,
+                         const Quaternion<Pack>& other_turned) {
+  BondPack bond{};
+  bond.rigidity = {Pack(m.rigidity.axial), Pack(m.rigidity.bending), Pack(m.rigidity.shear),
+                   Pack(m.rigidity.torsion)};
+  if constexpr (own_rigidity)
+    bond.rigidity = {
+        Pack::load(m.bond_rigidity + slot.of(4, 0)), Pack::load(m.bond_rigidity + slot.of(4, 1)),
+        Pack::load(m.bond_rigidity + slot.of(4, 2)), Pack::load(m.bond_rigidity + slot.of(4, 3))};
+  bond.rest_length = Pack::load(m.rest_length + slot.of(1));
+  BeamHistory<Pack>& history = bond.history;
+  if constexpr (remembers(flow)) {
+    history.extension = Pack::load(m.plastic_extension + slot.of(1));
+    history.strain = Pack::load(m.plastic_strain + slot.of(1));
+  }
+  if constexpr (turning) {
+    if constexpr (remembers(flow)) {
+      history.normal_i = load_vector(m.section_normal + slot.of(3));
+      history.normal_j = load_vector(m.far_section_normal + slot.of(3));
+      history.twist = Pack::load(m.plastic_twist + slot.of(1));
+    } else {
+      history.normal_i = history.normal_j = load_vector(m.rest_direction + slot.of(3));
+    }
+    bond.pose = {chord, rotate(rotation, history.normal_i), rotate(other_turned, history.normal_j),
+                 other_turned * turned_back};
+    bond.deformation = beam_deformation(bond.rest_length, bond.pose);
+  } else {
+    bond.pose.chord = chord;
+    bond.deformation = spring_deformation(bond.rest_length, chord);
+  }
+  if constexpr (remembers(flow)) {
+    bond.deformation.extension = bond.deformation.extension - history.extension;
+    if constexpr (turning) bond.deformation.twist = bond.deformation.twist - history.twist;
+  }
+  return bond;
+}
+
+template <bool turning>
+inline BeamLoad<Pack> load_of(const BondPack& bond) {
+  if constexpr (turning) return beam_load(bond.rigidity, bond.pose, bond.deformation);
+  return {spring_force(bond.rigidity, bond.deformation), {}, {}};
+}
+
+/// What the limits of a bond are measured on: the deformation since it last flowed, or, for the
+/// scaled offset, since it was made.
+struct Measured {
+  BeamPose<Pack> pose;
+  BeamDeformation<Pack> deformation;
+};
+
+template <bool turning, BeamFlow flow>
+inline Measured measured(const BeamMotion& m, const SlotPlace& slot, const BondPack& bond,
+                         const Rotation<Pack>& rotation, const Quaternion<Pack>& other_turned) {
+  if constexpr (flow != BeamFlow::scaled_offset) return {bond.pose, bond.deformation};
+  Measured whole{bond.pose, {}};
+  if constexpr (turning) {
+    const PackVector rest_direction = load_vector(m.rest_direction + slot.of(3));
+    whole.pose.normal_i = rotate(rotation, rest_direction);
+    whole.pose.normal_j = rotate(other_turned, rest_direction);
+    whole.deformation = beam_deformation(bond.rest_length, whole.pose);
+  } else {
+    whole.deformation = spring_deformation(bond.rest_length, bond.pose.chord);
+  }
+  return whole;
+}
+
+/// The strain up to which a bond surely neither flows nor breaks.
+template <BeamFlow flow>
+inline Pack safe_strain(const BeamMotion& m, const BondPack& bond) {
+  const Pack rupture(std::min(m.rupture.elastic_strain, m.rupture.strain));
+  if constexpr (flow == BeamFlow::brittle) return rupture;
+  const double growth = m.yield.hardening_ratio + (flow == BeamFlow::scaled_offset ? 1.0 : 0.0);
+  const Pack yield = Pack(m.yield.yield_strain) + Pack(growth) * bond.history.strain;
+  return select(greater(yield, rupture), rupture, yield);
+}
+
+/// Loads of bonds of which some may have reached a limit: they flow, which is kept, and those that
+/// break are reported. `work` gains half of the plastic work.
+template <bool turning, BeamFlow flow>
+inline BeamLoad<Pack> limited_load(const BeamMotion& m, const SlotPlace& slot, const BondPack& bond,
+                                   const Measured& from, const Pack& radius,
+                                   const Pack& shear_ratio, Mask present,
+                                   const Quaternion<Pack>& turned,
+                                   const Quaternion<Pack>& other_turned, Pack& work) {
+  BeamLoad<Pack> load = load_of<turning>(bond);
+  Pack strain = equivalent_strain(radius, shear_ratio, from.pose, from.deformation);
+  Pack plastic_strain = bond.history.strain;
+  if constexpr (remembers(flow)) {
+    const BeamYield<Pack> yield{Pack(m.yield.yield_strain), Pack(m.yield.hardening_ratio)};
+    const PlasticFlow<Pack> step = flow == BeamFlow::radial_return
+                                       ? radial_return(yield, strain, plastic_strain)
+                                       : scaled_offset(yield, strain, plastic_strain);
+    const Mask flowing = both(present, greater(step.strain, plastic_strain));
+    if constexpr (flow == BeamFlow::scaled_offset)
+      strain = equivalent_strain(radius, shear_ratio, bond.pose, bond.deformation);
+    if (any(flowing)) {
+      const BeamResponse<Pack> response = detail::flowed<Pack>(
+          {bond.rigidity, bond.rest_length, radius, shear_ratio, yield}, from.pose,
+          from.deformation, step, plastic_strain,
+          beam_energy(bond.rigidity, bond.pose, bond.deformation), turned, other_turned);
+      const BeamHistory<Pack>& before = bond.history;
+      const BeamHistory<Pack>& after = response.history;
+      select(flowing, after.extension, before.extension).store(m.plastic_extension + slot.of(1));
+      plastic_strain = select(flowing, after.strain, before.strain);
+      plastic_strain.store(m.plastic_strain + slot.of(1));
+      if constexpr (turning) {
+        store_vector(select(flowing, after.normal_i, before.normal_i),
+                     m.section_normal + slot.of(3));
+        store_vector(select(flowing, after.normal_j, before.normal_j),
+                     m.far_section_normal + slot.of(3));
+        select(flowing, after.twist, before.twist).store(m.plastic_twist + slot.of(1));
+      }
+      strain = select(flowing, response.strain, strain);
+      load.force = select(flowing, response.load.force, load.force);
+      load.moment_i = select(flowing, response.load.moment_i, load.moment_i);
+      work += select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0));
+    }
+  }
+  const BeamRupture<Pack> rupture{Pack(m.rupture.elastic_strain), Pack(m.rupture.strain)};
+  const Mask breaking = both(present, breaks(rupture, strain, plastic_strain));
+  if (any(breaking))
+    for (int k = 0; k < width; ++k)
+      if (breaking[k])
+        m.breaking->push_back(static_cast<std::uint32_t>(slot.of(1)) +
+                              static_cast<std::uint32_t>(k));
+  return load;
+}
+
+template <bool turning, bool own_rigidity, BeamFlow flow>
 void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
   // Far enough ahead for a neighbour's line to arrive, near enough to be still there.
   constexpr std::size_t rows_ahead = 2;
-  const BeamRigidity<Pack> common{m.rigidity.axial, m.rigidity.bending, m.rigidity.torsion};
   const std::size_t end_row = m.first_row[last];
   for (std::size_t block = first; block < last; ++block) {
     for (int lane = 0; lane < lanes; lane += width) {
@@ -48,51 +204,91 @@ void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
       const Quaternion<Pack> turned_back = conjugate(turned);
       const Rotation<Pack> rotation(turned);
       PackVector force{}, moment{};
+      Pack work{};
       for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
-        const std::size_t slot = row * lanes + static_cast<std::size_t>(lane);
+        const SlotPlace slot{row, static_cast<std::size_t>(lane)};
         if (row + rows_ahead < end_row)
           for (int k = 0; k < width; ++k)
             __builtin_prefetch(
-                m.pose + std::ptrdiff_t{8} *
-                             m.neighbour[slot + rows_ahead * lanes + static_cast<std::size_t>(k)]);
-        const std::size_t slot3 = 3 * row * lanes + static_cast<std::size_t>(lane);
-        const Row other = Row::gather(m.pose, m.neighbour + slot);
-        const PackVector rest_direction = load_vector(m.rest_direction + slot3);
-        const Pack rest_length = Pack::load(m.rest_length + slot);
+                m.pose +
+                std::ptrdiff_t{8} *
+                    m.neighbour[slot.of(1) + rows_ahead * lanes + static_cast<std::size_t>(k)]);
+        const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
         PackVector chord = centre(other) - position;
-        if constexpr (periodic) chord += load_vector(m.image_shift + slot3);
+        if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
         const Quaternion<Pack> other_turned = orientation(other);
-        const BeamPose<Pack> pose{chord, rotate(rotation, rest_direction),
-                                  rotate(other_turned, rest_direction), other_turned * turned_back};
-        BeamRigidity<Pack> rigidity = common;
-        if constexpr (radius_from_pair)
-          rigidity = beam_rigidity_of_radius(common, Pack::load(m.bond_radius + slot));
-        const BeamLoad<Pack> load = beam_load(rigidity, rest_length, pose);
+        const BondPack bond = bonds_in<turning, own_rigidity, flow>(m, slot, chord, rotation,
+                                                                    turned_back, other_turned);
+        BeamLoad<Pack> load;
+        if constexpr (flow == BeamFlow::none) {
+          load = load_of<turning>(bond);
+        } else {
+          const Pack radius =
+              own_rigidity ? Pack::load(m.bond_radius + slot.of(1)) : Pack(m.radius);
+          // G I_0 / (E S) = G / E r² / 2, whatever the moduli of a bond are.
+          const Pack shear_ratio = own_rigidity ? Pack(2.0) * bond.rigidity.torsion /
+                                                      (bond.rigidity.axial * radius * radius)
+                                                : Pack(m.shear_ratio);
+          const Measured from = measured<turning, flow>(m, slot, bond, rotation, other_turned);
+          const Pack safe = safe_strain<flow>(m, bond) * bond.rest_length;
+          // An empty slot has a chord and a direction of zero.
+          const Mask present =
+              greater(dot(from.deformation.direction, from.deformation.direction), Pack(0.5));
+          const Pack reached =
+              bound_of_squared_extension(radius, shear_ratio, from.pose, from.deformation);
+          if (any(both(present, greater(reached, safe * safe))))
+            load = limited_load<turning, flow>(m, slot, bond, from, radius, shear_ratio, present,
+                                               turned, other_turned, work);
+          else
+            load = load_of<turning>(bond);
+        }
         force += load.force;
-        moment += load.moment_i;
+        if constexpr (turning) moment += load.moment_i;
       }
       const std::size_t at = 3 * block * lanes + static_cast<std::size_t>(lane);
       const PackVector velocity = load_vector(m.velocity + at) +
                                   (Pack(m.kick) * Pack::load(m.inverse_mass + element)) * force;
-      const PackVector spin = load_vector(m.angular_velocity + at) +
-                              (Pack(m.kick) * Pack::load(m.inverse_inertia + element)) * moment;
       store_vector(velocity, m.velocity + at);
-      store_vector(spin, m.angular_velocity + at);
       const PackVector moved = position + Pack(m.drift) * velocity;
-      const Quaternion<Pack> now = turn(turned, spin, Pack(m.drift));
+      Quaternion<Pack> now = turned;
+      if constexpr (turning) {
+        const PackVector spin = load_vector(m.angular_velocity + at) +
+                                (Pack(m.kick) * Pack::load(m.inverse_inertia + element)) * moment;
+        store_vector(spin, m.angular_velocity + at);
+        now = turn(turned, spin, Pack(m.drift));
+      }
       const Row next{
           {moved.x, moved.y, moved.z, own.component[3], now.w, now.v.x, now.v.y, now.v.z}};
       next.store(m.next_pose + 8 * element);
+      if constexpr (remembers(flow))
+        if (any(greater(work, Pack(0.0))))
+          (Pack::load(m.plastic_work + element) + work).store(m.plastic_work + element);
     }
   }
 }
 
+template <bool turning, bool own_rigidity>
+void move_beams_by_flow(const BeamMotion& m, std::size_t first, std::size_t last) {
+  switch (m.flow) {
+    case BeamFlow::none:
+      return move_beams<turning, own_rigidity, BeamFlow::none>(m, first, last);
+    case BeamFlow::brittle:
+      return move_beams<turning, own_rigidity, BeamFlow::brittle>(m, first, last);
+    case BeamFlow::radial_return:
+      return move_beams<turning, own_rigidity, BeamFlow::radial_return>(m, first, last);
+    case BeamFlow::scaled_offset:
+      return move_beams<turning, own_rigidity, BeamFlow::scaled_offset>(m, first, last);
+  }
+}
+
 inline void move_beams_by_kind(const BeamMotion& m, std::size_t first, std::size_t last) {
-  const bool pair = m.bond_radius != nullptr, periodic = m.image_shift != nullptr;
-  if (pair)
-    periodic ? move_beams<true, true>(m, first, last) : move_beams<true, false>(m, first, last);
+  const bool own_rigidity = m.bond_rigidity != nullptr;
+  if (m.turning)
+    own_rigidity ? move_beams_by_flow<true, true>(m, first, last)
+                 : move_beams_by_flow<true, false>(m, first, last);
   else
-    periodic ? move_beams<false, true>(m, first, last) : move_beams<false, false>(m, first, last);
+    own_rigidity ? move_beams_by_flow<false, true>(m, first, last)
+                 : move_beams_by_flow<false, false>(m, first, last);
 }
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET

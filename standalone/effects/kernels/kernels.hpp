@@ -9,11 +9,23 @@
 #include <vector>
 
 #include "laws/beam.hpp"
+#include "laws/beam_plasticity.hpp"
+#include "laws/beam_rupture.hpp"
 
 namespace solidem {
 
-/// Columns of beam-bonded elements in motion, as the kernels read and write them.
+/// What a beam may do besides being elastic.
+enum class BeamFlow {
+  none,
+  brittle,        ///< break
+  radial_return,  ///< flow and break
+  scaled_offset   ///< the same by the law of the thesis
+};
+
+/// Columns of bonded elements in motion, as the kernels read and write them.
 struct BeamMotion {
+  BeamFlow flow;
+  bool turning;  ///< false: bonds are springs, elements have no orientation
   const std::uint32_t* first_row;
   const std::int32_t* neighbour;
   const double* pose;
@@ -24,11 +36,25 @@ struct BeamMotion {
   const double* inverse_inertia;
   const double* rest_direction;
   const double* rest_length;
-  const double* bond_radius;      ///< null: `rigidity` holds for every bond
+  const double* bond_rigidity;    ///< null: `rigidity` holds for every bond
   const double* image_shift;      ///< null: no periodic direction
-  BeamRigidity<double> rigidity;  ///< of a beam of radius 1 m where `bond_radius` is given
+  BeamRigidity<double> rigidity;  ///< of every bond
   double kick;                    ///< s, by which the velocities move on
   double drift;                   ///< s, by which the poses move on
+
+  // Where bonds flow or break.
+  double* section_normal;
+  double* far_section_normal;
+  double* plastic_extension;
+  double* plastic_twist;
+  double* plastic_strain;
+  double* plastic_work;
+  const double* bond_radius;  ///< null: `radius` holds for every bond
+  double radius;
+  double shear_ratio;  ///< G / E, where the bonds are all alike
+  BeamYield<double> yield;
+  BeamRupture<double> rupture;
+  std::vector<std::uint32_t>* breaking;  ///< slots that break in this step are added here
 };
 
 /// Columns of conducting elements.
@@ -57,7 +83,8 @@ struct HeatPower {
 /// One instruction set's kernels. Each treats the blocks [first, last).
 struct Kernels {
   const char* instruction_set;
-  /// Beam loads on every element, then velocity += kick · load / mass, pose += drift · velocity.
+  /// Beam loads on every element, after any plastic flow, then velocity += kick · load / mass,
+  /// pose += drift · velocity.
   void (*move_beams)(const BeamMotion&, std::size_t first, std::size_t last);
   /// Explicit Euler step of the temperatures.
   void (*conduct)(const HeatFlow&, std::size_t first, std::size_t last);

@@ -64,6 +64,79 @@ inline Pack sqrt(Pack a) {
 #endif
 }
 
+/// Yes or no in each lane.
+struct Mask {
+#if defined(__AVX512F__)
+  __mmask8 v;
+#else
+  typedef decltype(Lanes{} < Lanes{}) Answers;
+  Answers v;
+#endif
+  bool operator[](int lane) const {
+#if defined(__AVX512F__)
+    return (v >> lane & 1) != 0;
+#else
+    return v[lane] != 0;
+#endif
+  }
+};
+
+inline Mask greater(Pack a, Pack b) {
+#if defined(__AVX512F__)
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)};
+#else
+  return {a.v > b.v};
+#endif
+}
+
+inline Mask either(Mask a, Mask b) {
+#if defined(__AVX512F__)
+  return {static_cast<__mmask8>(a.v | b.v)};
+#else
+  return {a.v | b.v};
+#endif
+}
+
+inline Mask both(Mask a, Mask b) {
+#if defined(__AVX512F__)
+  return {static_cast<__mmask8>(a.v & b.v)};
+#else
+  return {a.v & b.v};
+#endif
+}
+
+/// Is there a lane that says yes?
+inline bool any(Mask a) {
+#if defined(__AVX512F__)
+  return a.v != 0;
+#elif defined(__AVX__)
+  return _mm256_movemask_pd(reinterpret_cast<__m256d>(a.v)) != 0;
+#elif defined(__x86_64__)
+  return _mm_movemask_pd(reinterpret_cast<__m128d>(a.v)) != 0;
+#else
+  for (int k = 0; k < width; ++k)
+    if (a[k]) return true;
+  return false;
+#endif
+}
+
+/// a where the condition holds, else b.
+inline Pack select(Mask condition, Pack a, Pack b) {
+#if defined(__AVX512F__)
+  return Pack(Lanes(_mm512_mask_blend_pd(condition.v, b.v, a.v)));
+#elif defined(__AVX__)
+  return Pack(Lanes(_mm256_blendv_pd(b.v, a.v, reinterpret_cast<__m256d>(condition.v))));
+#else
+  typedef Mask::Answers Bits;
+  return Pack(reinterpret_cast<Lanes>((reinterpret_cast<Bits>(a.v) & condition.v) |
+                                      (reinterpret_cast<Bits>(b.v) & ~condition.v)));
+#endif
+}
+
+inline Pack abs(Pack a) {
+  return select(greater(Pack(0.0), a), -a, a);
+}
+
 /// table[index[k]] in lane k.
 inline Pack gather(const double* table, const std::int32_t* index) {
 #if defined(__AVX512F__)

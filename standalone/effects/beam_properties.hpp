@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_EFFECTS_BEAM_PROPERTIES_HPP
+#define SOLIDEM_EFFECTS_BEAM_PROPERTIES_HPP
+
+#include "effects/parameters.hpp"
+#include "laws/beam.hpp"
+#include "model/specimen.hpp"
+
+namespace solidem {
+
+/// Whether all beams have one section and one rigidity.
+bool beams_are_alike(const BeamParameters& parameters);
+
+/// What the beam of each bond is made of, how thick and how stiff it is.
+class BeamProperties {
+ public:
+  /// Keeps a reference to neither.
+  BeamProperties(const BeamParameters& parameters, const Specimen& specimen);
+
+  /// The section of the beam between two elements of the specimen that this was made of. `chord`:
+  /// from i to j at rest.
+  BeamSection<double> section(double radius_i, double radius_j, const Vector& chord) const;
+  BeamSection<double> section(const Specimen& specimen, Pair pair) const;
+
+  /// Its stiffness times its rest length.
+  BeamRigidity<double> rigidity(const BeamSection<double>& section, double rest_length) const;
+
+ private:
+  BeamParameters parameters_;
+  double mean_radius_, bond_tolerance_;
+};
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "effects/contact.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "laws/contact.hpp"
+#include "neighbours/linked_cells.hpp"
+
+namespace solidem {
+
+namespace {
+
+/// Place of an element in a buffer of poses.
+Vector centre_of(const double* pose, std::int32_t element) {
+  const double* row = pose + std::ptrdiff_t{8} * element;
+  return {row[0], row[1], row[2]};
+}
+
+}  // namespace
+
+ElementContacts::ElementContacts(const ContactParameters& parameters, const Beams& beams,
+                                 Rupture& rupture, Model& model)
+    : parameters_(parameters), beams_(beams), rupture_(rupture), model_(model) {}
+
+Vector ElementContacts::chord(const Candidate& candidate) const {
+  const double* pose = model_.data(columns::pose);
+  return centre_of(pose, candidate.pair.j) - centre_of(pose, candidate.pair.i) + candidate.shift;
+}
+
+bool ElementContacts::must_search(const double* pose) const {
+  if (rupture_.broken().size() != broken_then_) return true;
+  // Two elements that move towards each other close the skin together.
+  const double allowed = 0.25 * skin_ * skin_;
+  for (std::size_t k = 0; k < exposed_.size(); ++k) {
+    const Vector moved = centre_of(pose, exposed_[k]) - searched_at_[k];
+    if (dot(moved, moved) > allowed) return true;
+  }
+  return false;
+}
+
+void ElementContacts::search(const double* pose) {
+  const Specimen& specimen = model_.specimen();
+  std::map<Pair, const BrokenBond*> once_bonded;
+  exposed_.clear();
+  for (const BrokenBond& bond : rupture_.broken()) {
+    if (rupture_.is_removed(bond.pair.i) || rupture_.is_removed(bond.pair.j)) continue;
+    once_bonded[bond.pair] = &bond;
+    exposed_.insert(exposed_.end(), {bond.pair.i, bond.pair.j});
+  }
+  std::sort(exposed_.begin(), exposed_.end());
+  exposed_.erase(std::unique(exposed_.begin(), exposed_.end()), exposed_.end());
+  broken_then_ = rupture_.broken().size();
+  candidates_.clear();
+  searched_at_.clear();
+  if (exposed_.empty()) return;
+
+  double largest = 0;
+  CellBox box{centre_of(pose, exposed_[0]), centre_of(pose, exposed_[0]), specimen.domain.periodic};
+  for (const std::int32_t e : exposed_) {
+    const Vector at = centre_of(pose, e);
+    searched_at_.push_back(at);
+    largest = std::max(largest, specimen.radius[static_cast<std::size_t>(e)]);
+    for (int axis = 0; axis < 3; ++axis) {
+      component(box.lower, axis) = std::min(component(box.lower, axis), component(at, axis));
+      component(box.upper, axis) = std::max(component(box.upper, axis), component(at, axis));
+    }
+  }
+  skin_ = 0.5 * largest;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.periodic[static_cast<std::size_t>(axis)]) {
+      component(box.lower, axis) = component(specimen.domain.lower, axis);
+      component(box.upper, axis) = component(specimen.domain.upper, axis);
+    } else {
+      component(box.lower, axis) -= largest;
+      component(box.upper, axis) += largest;
+    }
+  }
+  LinkedCells cells(box, 2 * largest + skin_, exposed_.size());
+  cells.sort(searched_at_);
+  cells.for_each_pair(0, cells.cell_count(), [&](std::int32_t a, std::int32_t b, Vector to) {
+    std::int32_t i = exposed_[static_cast<std::size_t>(a)],
+                 j = exposed_[static_cast<std::size_t>(b)];
+    if (i > j) {
+      std::swap(i, j);
+      to = -to;
+    }
+    const auto n = static_cast<std::size_t>(i), m = static_cast<std::size_t>(j);
+    const double radii = specimen.radius[n] + specimen.radius[m];
+    if (dot(to, to) > (radii + skin_) * (radii + skin_) || model_.slots().find(i, j)) return;
+    Candidate candidate{{i, j}, radii, 0, 0, {}};
+    if (const auto found = once_bonded.find({i, j}); found != once_bonded.end()) {
+      const BrokenBond& bond = *found->second;
+      candidate.distance = contact_distance(bond.rest_length, radii);
+      candidate.stiffness = parameters_.stiffness_ratio * bond.axial_stiffness;
+      candidate.section = bond.section;
+    } else {
+      const BeamSection<double> section =
+          beams_.properties().section(specimen.radius[n], specimen.radius[m], to);
+      candidate.section = beam_area(section);
+      candidate.stiffness =
+          parameters_.stiffness_ratio * section.young_modulus * candidate.section / radii;
+    }
+    candidate.shift = to - (centre_of(pose, j) - centre_of(pose, i));
+    if (!specimen.domain.is_periodic()) candidate.shift = {};
+    candidates_.push_back(candidate);
+  });
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
+}
+
+void ElementContacts::advance(Model& model, const Step& step) {
+  if (rupture_.broken().empty()) return;
+  const double* inverse_mass = model.data(columns::inverse_mass);
+  double* velocity = model.data(columns::velocity);
+  double* next = model.next(columns::pose);
+  std::vector<Candidate> pressed;
+  for (const Candidate& candidate : candidates_) {
+    const Vector to = chord(candidate);
+    if (dot(to, to) >= candidate.distance * candidate.distance) continue;
+    const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
+    const auto push = [&](std::int32_t element, const Vector& on_it) {
+      const auto i = static_cast<std::size_t>(element);
+      for (int axis = 0; axis < 3; ++axis) {
+        const double gain = step.kick * inverse_mass[i] * component(on_it, axis);
+        velocity[Model::at(columns::velocity, i, axis)] += gain;
+        next[8 * i + static_cast<std::size_t>(axis)] += step.time_step * gain;
+      }
+    };
+    push(candidate.pair.i, force);
+    push(candidate.pair.j, -force);
+    if (parameters_.rebonding_pressure &&
+        norm(force) > *parameters_.rebonding_pressure * candidate.section)
+      pressed.push_back(candidate);
+  }
+  for (const Candidate& candidate : pressed) bond_anew(candidate);
+  // A bond that broke in this step acted once more: its elements touch from the next pose on.
+  if (!pressed.empty() || must_search(next)) search(next);
+}
+
+void ElementContacts::bond_anew(const Candidate& candidate) {
+  const auto [i, j] = candidate.pair;
+  Slots& slots = model_.slots();
+  const auto here = slots.find(i, i), there = slots.find(j, j);
+  if (!here || !there) return;  // all places are taken: they go on pushing
+  const Vector to = chord(candidate);
+  rupture_.lose(contact_energy(candidate.stiffness, candidate.distance, to));
+  slots.set_neighbour(*here, j);
+  slots.set_neighbour(*there, i);
+  beams_.bind(model_, i, j, here->row, here->lane, to);
+  beams_.bind(model_, j, i, there->row, there->lane, -to);
+  ++bonded_anew_;
+}
+
+void ElementContacts::observe(const Model& model, Observation& observation) const {
+  ObservedMotion& motion = observation.motion;
+  const double* inverse_mass = model.data(columns::inverse_mass);
+  for (const Candidate& candidate : candidates_) {
+    const Vector to = chord(candidate);
+    if (dot(to, to) >= candidate.distance * candidate.distance) continue;
+    const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
+    motion.contact_energy += contact_energy(candidate.stiffness, candidate.distance, to);
+    const auto push = [&](std::int32_t element, const Vector& on_it) {
+      const auto i = static_cast<std::size_t>(element);
+      motion.force[i] += on_it;
+      Vector& v = motion.velocity[i];
+      const Vector gain = observation.behind * inverse_mass[i] * on_it;
+      motion.kinetic_energy += 0.5 / inverse_mass[i] * (dot(v + gain, v + gain) - dot(v, v));
+      v += gain;
+    };
+    push(candidate.pair.i, force);
+    push(candidate.pair.j, -force);
+  }
+  if (parameters_.rebonding_pressure)
+    observation.add("bonds_formed", static_cast<double>(bonded_anew_));
+}
+
+void ElementContacts::restore(const std::vector<double>& saved) {
+  bonded_anew_ = static_cast<std::size_t>(saved.at(0));
+  search(model_.data(columns::pose));
+}
+
+}  // namespace solidem

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_EFFECTS_CONTACT_HPP
+#define SOLIDEM_EFFECTS_CONTACT_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "effects/rupture.hpp"
+
+namespace solidem {
+
+/// Elements that lost bonds push each other when they touch: laws/contact.hpp. Where no bond has
+/// broken nothing is looked for.
+///
+/// Two elements whose bond broke touch at the distance they had then if they overlapped, all others
+/// where their spheres meet. Above a pressure they are bonded anew, free of load.
+class ElementContacts : public Effect {
+ public:
+  ElementContacts(const ContactParameters& parameters, const Beams& beams, Rupture& rupture,
+                  Model& model);
+
+  /// Pushes the elements that touch, in the poses and velocities that the bonds left.
+  void advance(Model& model, const Step& step) override;
+  /// Forces of the contacts, their energy and their number.
+  void observe(const Model& model, Observation& observation) const override;
+  std::vector<double> save() const override { return {static_cast<double>(bonded_anew_)}; }
+  void restore(const std::vector<double>& saved) override;
+
+ private:
+  /// Two elements that touch or may soon.
+  struct Candidate {
+    Pair pair;
+    double distance;   ///< at which they touch, m
+    double stiffness;  ///< N/m
+    double section;    ///< of the bond they had or would have, m²
+    Vector shift;      ///< added to the chord across a periodic face, m
+  };
+  Vector chord(const Candidate& candidate) const;
+  /// Candidates among the elements as they stand in a buffer of poses.
+  void search(const double* pose);
+  bool must_search(const double* pose) const;
+  void bond_anew(const Candidate& candidate);
+
+  ContactParameters parameters_;
+  const Beams& beams_;
+  Rupture& rupture_;
+  Model& model_;
+  std::vector<Candidate> candidates_;  ///< sorted by pair
+  std::vector<std::int32_t> exposed_;  ///< elements that lost a bond, sorted
+  std::vector<Vector> searched_at_;    ///< where they stood when candidates were sought
+  std::size_t broken_then_ = 0;        ///< bonds broken by then
+  std::size_t bonded_anew_ = 0;
+  double skin_ = 0;  ///< m, by which candidates may be apart
+};
+
+}  // namespace solidem
+
+#endif
