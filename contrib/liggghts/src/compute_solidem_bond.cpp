@@ -94,8 +94,7 @@ void ComputeSolidemBond::add_bond(int n) {
   const double* memory_of_bond = neighbor->bondhistlist[n];
   const SolidemBeam& beam = beams->beam(type);
   const bool may_change = beam.may_change();
-  const double rupture = may_change ? memory_of_bond[Row::RUPTURE] : 0.0;
-  if (rupture == Row::GONE) return;
+  if (may_change && Row::is_gone(memory_of_bond)) return;
   const SolidemBondFigures figures =
       beam.figures(memory_of_bond, beams->ends(i, j), static_cast<double>(update->ntimestep));
   for (const int attribute : attributes) switch (attribute) {
@@ -109,7 +108,7 @@ void ComputeSolidemBond::add_bond(int n) {
         values.push_back(type);
         break;
       case STATE:
-        values.push_back(rupture != 0.0);
+        values.push_back(may_change && !Row::is_whole(memory_of_bond));
         break;
       case LENGTH:
         values.push_back(figures.length);

@@ -46,7 +46,7 @@ void ComputeSolidemBrokenAtom::compute_peratom() {
   const double* gone = bonds->lost_bonds();
   if (!gone) return;  // bonds cannot break
   for (int n = 0; n < neighbor->nbondlist; n++)
-    if (neighbor->bondhistlist[n][SolidemBondMemory::RUPTURE] != 0.0)
+    if (!SolidemBondMemory::is_whole(neighbor->bondhistlist[n]))
       for (int side = 0; side < 2; side++) broken[neighbor->bondlist[n][side]] += 1.0;
   if (force->newton_bond) comm->reverse_comm_compute(this);
   for (int i = 0; i < atom->nlocal; i++)

@@ -22,7 +22,6 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_property_atom.h"
-#include "fix_solidem_conduction.h"
 #include "force.h"
 #include "laws/rigid_sphere.hpp"
 #include "modify.h"
@@ -122,6 +121,8 @@ void FixSolidemBonds::init() {
   find_properties();
   if (minimal_bonds > 0 && !lost)
     error->fix_error(FLERR, this, "minimal_bonds needs bond_style solidem/beam with rupture");
+  if (lost && modify->n_fixes_style_strict("solidem/conduction") > 0)
+    error->fix_error(FLERR, this, "bonds that break cannot conduct heat as well");
   if (history->most_numbers_of_an_atom() > MOST_NUMBERS_OF_AN_ATOM)
     error->fix_error(FLERR, this, "an atom has too many bonds for the buffers of LIGGGHTS");
 }
@@ -207,7 +208,7 @@ void FixSolidemBonds::drop_gone_bonds() {
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = atom->num_bond[i] - 1; m >= 0; m--) {
       const double* memory_of_bond = atom->bond_hist[i][m];
-      if (memory_of_bond[Row::RUPTURE] != Row::GONE) continue;
+      if (!Row::is_gone(memory_of_bond)) continue;
       const double share = force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
       gone_plastic_work += share * memory_of_bond[Row::PLASTIC_WORK];
       lost_bonds[i] += 1.0;
@@ -215,9 +216,6 @@ void FixSolidemBonds::drop_gone_bonds() {
       dropped += share;
 
       history->forget(i, m);
-      for (int k = 0; k < modify->nfix; k++)
-        if (FixSolidemConduction* heat = dynamic_cast<FixSolidemConduction*>(modify->fix[k]))
-          heat->forget_bond(i, m);
       const int last = --atom->num_bond[i];
       atom->bond_atom[i][m] = atom->bond_atom[i][last];
       atom->bond_type[i][m] = atom->bond_type[i][last];
@@ -251,7 +249,7 @@ void FixSolidemBonds::count_bonds() {
   broken_bonds.assign(all, 0.0);
   std::copy_n(lost->vector_atom, atom->nlocal, broken_bonds.begin());
   for (int n = 0; n < neighbor->nbondlist; n++) {
-    const bool whole = neighbor->bondhistlist[n][Row::RUPTURE] == 0.0;
+    const bool whole = Row::is_whole(neighbor->bondhistlist[n]);
     for (int side = 0; side < 2; side++)
       (whole ? whole_bonds : broken_bonds)[neighbor->bondlist[n][side]] += 1.0;
   }
@@ -300,9 +298,9 @@ void FixSolidemBonds::cut_bonds_of_removed_atoms() {
     int i = neighbor->bondlist[n][0], j = neighbor->bondlist[n][1];
     double* memory_of_bond = neighbor->bondhistlist[n];
     if (removed->vector_atom[i] == 0.0 && removed->vector_atom[j] == 0.0) continue;
-    if (memory_of_bond[Row::RUPTURE] == Row::GONE) continue;
+    if (Row::is_gone(memory_of_bond) || Row::is_cut(memory_of_bond)) continue;
     const double share = beams->share(i, j);
-    if (memory_of_bond[Row::RUPTURE] == 0.0) beams->ledger.broken += share;
+    if (Row::is_whole(memory_of_bond)) beams->ledger.broken += share;
     const SolidemBeam& beam = beams->beam(neighbor->bondlist[n][2]);
     beams->ledger.fracture_energy += share * beam.cut(memory_of_bond, beams->ends(i, j), step);
   }

@@ -337,10 +337,6 @@ void FixSolidemConduction::find_steps() {
   step_of_capacities = update->dt;
 }
 
-void FixSolidemConduction::forget_bond(int i, int m) {
-  values->forget(i, m);
-}
-
 // Other fixes add to the fluxes too; temperatures change after all have done so.
 void FixSolidemConduction::post_force(int) {
   const int nlocal = atom->nlocal;

@@ -50,9 +50,6 @@ class FixSolidemConduction : public Fix {
   /// Heat capacity of local atom i, J/K.
   double heat_capacity(int i) const;
 
-  /// Bond m of atom i is about to leave the atom's list: the last one takes its place.
-  void forget_bond(int i, int m);
-
   void grow_arrays(int);
   void copy_arrays(int, int, int);
   void set_arrays(int);

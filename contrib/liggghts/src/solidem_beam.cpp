@@ -27,9 +27,6 @@ typedef SolidemBondMemory Row;
 
 namespace {
 
-// Flow beyond this share of the yield strain is flow; less is round-off in a pose accepted before.
-const double ROUND_OFF = 1e-10;
-
 // Lips of a broken bond that are this many times the sum of their radii apart never touch again.
 const double REACH_OF_CONTACT = 1.5;
 
@@ -85,9 +82,16 @@ SolidemBeam::Pose SolidemBeam::pose(const double* memory, const SolidemBondEnds&
                             ends.orientation_i, ends.orientation_j);
 }
 
-// A bond that breaks in this step acts as a beam once more.
+// A bond that breaks or is cut in this step acts as a beam once more.
 bool SolidemBeam::acts_as_beam(const double* memory, double step) const {
-  return !may_break() || memory[Row::RUPTURE] == 0.0 || memory[Row::RUPTURE] == step + 1.0;
+  if (!may_break()) return true;
+  const double rupture = memory[Row::RUPTURE];
+  return rupture == 0.0 || rupture == step + 1.0 || rupture == step + 1.5;
+}
+
+// One that is made anew in this step pushes once more.
+bool SolidemBeam::made_anew(const double* memory, double step) const {
+  return may_break() && memory[Row::RUPTURE] == -(step + 2.0);
 }
 
 // A new bond, free of load in this pose.
@@ -108,7 +112,10 @@ void SolidemBeam::make(double* memory, const SolidemBondEnds& ends) const {
 SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, double step,
                                    bool energies) const {
   if (memory[Row::REST_LENGTH] == 0.0) make(memory, ends);
-  if (!acts_as_beam(memory, step)) return act_apart(memory, ends);
+  if (!acts_as_beam(memory, step)) {
+    if (!Row::is_whole(memory) || made_anew(memory, step)) return act_apart(memory, ends, step);
+    memory[Row::RUPTURE] = memory[Row::FLOW] = 0.0;
+  }
 
   const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
   Pose place = pose(memory, ends);
@@ -119,7 +126,7 @@ SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, 
   if (memory[Row::RUPTURE] != 0.0) {  // broke in this very pose
     SolidemBondAction action;
     action.load = solidem::beam_load(bond.rigidity, place, deformation);
-    action.contact_energy = contact(memory, ends).energy;
+    if (!Row::is_cut(memory)) action.contact_energy = contact(bond.rest_length, ends).energy;
     return action;
   }
 
@@ -131,7 +138,7 @@ SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, 
   limit *= bond.rest_length;
   const bool near = solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, place,
                                                         deformation) > limit * limit;
-  if ((plasticity == SCALED_OFFSET || near) && flow(memory, ends, bond)) {
+  if ((plasticity == SCALED_OFFSET || near) && flow(memory, ends, bond, step)) {
     place = pose(memory, ends);
     deformation = solidem::elastic_deformation(bond.rest_length, place, history(memory));
   }
@@ -145,7 +152,7 @@ SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, 
     action.elastic_energy = solidem::beam_energy(bond.rigidity, place, deformation);
   if (action.breaks) {
     memory[Row::RUPTURE] = step + 1.0;
-    action.contact_energy = contact(memory, ends).energy;
+    action.contact_energy = contact(memory[Row::REST_LENGTH], ends).energy;
     action.fracture_energy = action.elastic_energy - action.contact_energy;
     action.elastic_energy = 0.0;
   }
@@ -153,13 +160,13 @@ SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, 
 }
 
 /* ----------------------------------------------------------------------
-   plastic flow, if any; the load that acts is that of the shape remembered
-   afterwards, so that a second look at the same pose finds the same
+   plastic flow, if any, once a step; the load that acts is that of the shape
+   remembered afterwards, so that a second look at the pose finds the same
 ------------------------------------------------------------------------- */
 
 bool SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
-                       const YieldingBeam<double>& bond) const {
-  if (plasticity == NONE) return false;
+                       const YieldingBeam<double>& bond, double step) const {
+  if (plasticity == NONE || memory[Row::FLOW] == step + 1.0) return false;
   const BeamHistory<double> before = history(memory);
   if (plasticity == SCALED_OFFSET) {  // the strain since the bond was made, far from its largest?
     const Pose whole = solidem::beam_pose(ends.chord, vector(memory + Row::REST_DIRECTION),
@@ -177,20 +184,20 @@ bool SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
                                             ends.orientation_j)
           : solidem::scaled_offset_response(bond, before, vector(memory + Row::REST_DIRECTION),
                                             ends.chord, ends.orientation_i, ends.orientation_j);
-  if (!(response.history.strain - before.strain > ROUND_OFF * yield.yield_strain)) return false;
+  if (!(response.history.strain > before.strain)) return false;
   store(memory + Row::NORMAL_I, response.history.normal_i);
   store(memory + Row::NORMAL_J, response.history.normal_j);
   memory[Row::EXTENSION] = response.history.extension;
   memory[Row::TWIST] = response.history.twist;
   memory[Row::PLASTIC_STRAIN] = response.history.strain;
   memory[Row::PLASTIC_WORK] += response.plastic_work;
+  memory[Row::FLOW] = step + 1.0;
   return true;
 }
 
 // The push of two atoms whose bond broke, and the energy in it.
-SolidemBeam::Contact SolidemBeam::contact(const double* memory, const SolidemBondEnds& ends) const {
+SolidemBeam::Contact SolidemBeam::contact(double rest_length, const SolidemBondEnds& ends) const {
   if (contact_ratio == 0.0) return {Vector{}, 0.0};
-  const double rest_length = memory[Row::REST_LENGTH];
   const double stiffness = contact_ratio * beam(ends, rest_length).rigidity.axial / rest_length;
   const double distance = solidem::contact_distance(rest_length, ends.radius_i + ends.radius_j);
   return {solidem::contact_force(stiffness, distance, ends.chord),
@@ -202,23 +209,30 @@ SolidemBeam::Contact SolidemBeam::contact(const double* memory, const SolidemBon
    or part for good
 ------------------------------------------------------------------------- */
 
-SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& ends) const {
+SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& ends,
+                                         double step) const {
   SolidemBondAction action;
-  if (memory[Row::RUPTURE] == Row::GONE) return action;
+  if (Row::is_gone(memory)) return action;
+  if (made_anew(memory, step)) {
+    action.load.force = contact(memory[Row::FLOW], ends).force;
+    return action;
+  }
   const double far = REACH_OF_CONTACT * (ends.radius_i + ends.radius_j);
-  if (contact_ratio == 0.0 || solidem::norm(ends.chord) > far) {
+  if (contact_ratio == 0.0 || Row::is_cut(memory) || solidem::norm(ends.chord) > far) {
     memory[Row::RUPTURE] = Row::GONE;
     return action;
   }
-  const Contact push = contact(memory, ends);
+  const Contact push = contact(memory[Row::REST_LENGTH], ends);
   action.load.force = push.force;
-  action.contact_energy = push.energy;
   const double thickness = beam_radius(ends);
   action.forms = solidem::norm(push.force) > rebonding_pressure * M_PI * thickness * thickness;
   if (action.forms) {
+    memory[Row::FLOW] = memory[Row::REST_LENGTH];
     make(memory, ends);
+    memory[Row::RUPTURE] = -(step + 2.0);
     action.fracture_energy = push.energy;
-    action.contact_energy = 0.0;
+  } else {
+    action.contact_energy = push.energy;
   }
   return action;
 }
@@ -226,9 +240,11 @@ SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& 
 SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondEnds& ends,
                                         double step) const {
   const double length = solidem::norm(ends.chord);
+  if (made_anew(memory, step))
+    return {length, -solidem::norm(contact(memory[Row::FLOW], ends).force), 0.0, 0.0, 0.0};
   if (!acts_as_beam(memory, step)) {
-    if (memory[Row::RUPTURE] == Row::GONE) return {length, 0.0, 0.0, 0.0, 0.0};
-    const Contact push = contact(memory, ends);
+    if (Row::is_gone(memory)) return {length, 0.0, 0.0, 0.0, 0.0};
+    const Contact push = contact(memory[Row::REST_LENGTH], ends);
     return {length, -solidem::norm(push.force), 0.0, 0.0, push.energy};
   }
   const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
@@ -239,14 +255,15 @@ SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondE
       young_modulus * solidem::equivalent_strain(bond.radius, bond.shear_ratio, place, deformation);
   const double force =
       bond.rigidity.axial * deformation.inverse_rest_length * deformation.extension;
+  if (may_break() && Row::is_cut(memory)) return {length, force, stress, 0.0, 0.0};
   if (may_break() && memory[Row::RUPTURE] != 0.0)
-    return {length, force, stress, 0.0, contact(memory, ends).energy};
+    return {length, force, stress, 0.0, contact(memory[Row::REST_LENGTH], ends).energy};
   return {length, force, stress, solidem::beam_energy(bond.rigidity, place, deformation), 0.0};
 }
 
 double SolidemBeam::cut(double* memory, const SolidemBondEnds& ends, double step) const {
   const SolidemBondFigures now = figures(memory, ends, step);
-  memory[Row::RUPTURE] = Row::GONE;
+  memory[Row::RUPTURE] = acts_as_beam(memory, step) ? step + 1.5 : Row::GONE;
   return now.elastic_energy + now.contact_energy;
 }
 

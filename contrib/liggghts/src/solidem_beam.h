@@ -10,6 +10,7 @@
 #ifndef LMP_SOLIDEM_BEAM_H
 #define LMP_SOLIDEM_BEAM_H
 
+#include <cmath>
 #include <limits>
 
 #include "laws/beam_plasticity.hpp"
@@ -21,19 +22,28 @@ namespace LAMMPS_NS {
 /// elastic bond needs the first four alone.
 struct SolidemBondMemory {
   enum Place {
-    NORMAL_I = 0,         ///< 3: normal of the section at i, in body axes of i
-    REST_LENGTH = 3,      ///< zero: the bond was not yet seen
-    NORMAL_J = 4,         ///< 3: the same at j, in body axes of j
-    EXTENSION = 7,        ///< plastic part
-    TWIST = 8,            ///< plastic part
-    PLASTIC_STRAIN = 9,   ///< equivalent, never decreasing
-    PLASTIC_WORK = 10,    ///< so far
-    RUPTURE = 11,         ///< 0: whole; s + 1: broke at step s; GONE: apart for good
-    REST_DIRECTION = 12,  ///< 3: direction when it was made, in body axes
+    NORMAL_I = 0,        ///< 3: normal of the section at i, in body axes of i
+    REST_LENGTH = 3,     ///< zero: the bond was not yet seen
+    NORMAL_J = 4,        ///< 3: the same at j, in body axes of j
+    EXTENSION = 7,       ///< plastic part
+    TWIST = 8,           ///< plastic part
+    PLASTIC_STRAIN = 9,  ///< equivalent, never decreasing
+    PLASTIC_WORK = 10,   ///< so far
+    RUPTURE = 11,  ///< 0: whole; s + 1: broke at step s; s + 1.5: cut at step s; -(s + 2): made
+                   ///< anew at step s, from the next one on it is whole; GONE: apart for good
+    FLOW = 12,            ///< s + 1: last flowed at step s; when made anew, the rest length before
+    REST_DIRECTION = 13,  ///< 3: direction when it was made, in body axes
   };
   /// Numbers of a bond that is elastic; may flow or break; flows by the scaled offset.
-  enum Width { ELASTIC = 4, CHANGING = 12, WITH_REST_DIRECTION = 15 };
+  enum Width { ELASTIC = 4, CHANGING = 13, WITH_REST_DIRECTION = 16 };
   static constexpr double GONE = -1.0;
+  static bool is_gone(const double* memory) { return memory[RUPTURE] == GONE; }
+  static bool is_cut(const double* memory) {
+    return memory[RUPTURE] > 0.0 && memory[RUPTURE] != std::floor(memory[RUPTURE]);
+  }
+  static bool is_whole(const double* memory) {
+    return memory[RUPTURE] == 0.0 || memory[RUPTURE] < GONE;
+  }
 };
 
 /// Where the two atoms of a bond stand; i has the lower tag.
@@ -92,7 +102,7 @@ struct SolidemBeam {
                         bool energies) const;
   /// What it looks like in a pose that it has acted in.
   SolidemBondFigures figures(const double* memory, const SolidemBondEnds& ends, double step) const;
-  /// Takes the bond away for good; the energy that was stored in it.
+  /// Takes the bond away for good, after this step; the energy that was stored in it.
   double cut(double* memory, const SolidemBondEnds& ends, double step) const;
 
  private:
@@ -110,12 +120,13 @@ struct SolidemBeam {
   solidem::BeamHistory<double> history(const double* memory) const;
   Pose pose(const double* memory, const SolidemBondEnds& ends) const;
   bool acts_as_beam(const double* memory, double step) const;
+  bool made_anew(const double* memory, double step) const;
 
   void make(double* memory, const SolidemBondEnds& ends) const;
-  bool flow(double* memory, const SolidemBondEnds& ends,
-            const solidem::YieldingBeam<double>& beam) const;
-  Contact contact(const double* memory, const SolidemBondEnds& ends) const;
-  SolidemBondAction act_apart(double* memory, const SolidemBondEnds& ends) const;
+  bool flow(double* memory, const SolidemBondEnds& ends, const solidem::YieldingBeam<double>& beam,
+            double step) const;
+  Contact contact(double rest_length, const SolidemBondEnds& ends) const;
+  SolidemBondAction act_apart(double* memory, const SolidemBondEnds& ends, double step) const;
 };
 
 }  // namespace LAMMPS_NS
