@@ -31,11 +31,17 @@ class Search {
   bool step_to(double share) {
     const BodyPose start = pose_;
     const double start_share = share_;
-    share_ = share;
-    predict(start_share);
-    for (int correction = 0; correction <= options_.most_corrections; ++correction) {
+    // Whole corrections settle soonest: thin beams bend only after they were stretched. Where they
+    // do not settle, each is held to lower the energy.
+    for (const bool guarded : {false, true}) {
+      pose_ = start;
+      share_ = share;
+      predict(start_share);
+      for (int correction = 0; correction < options_.most_corrections; ++correction) {
+        if (in_balance()) return true;
+        if (!correct(guarded)) break;
+      }
       if (in_balance()) return true;
-      if (correction == options_.most_corrections || !correct()) break;
     }
     pose_ = start;
     share_ = start_share;
@@ -52,9 +58,11 @@ class Search {
     equilibrium.corrections = corrections_;
     equilibrium.residual = balance_.residual;
     equilibrium.energy = energy(pose_);
+    // A force of every kind shows whether the body resists all of them.
     assemble(pose_, 0);
-    Eigen::VectorXd none = Eigen::VectorXd::Zero(conditions_.load.size());
-    equilibrium.unstable = !solver_.solve(none, none, 1).positive;
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(conditions_.load.size());
+    const Eigen::VectorXd all = Eigen::VectorXd::LinSpaced(change.size(), -1, 1).array().cube();
+    equilibrium.unstable = !solver_.solve(all, change, 1e-3).positive;
     return equilibrium;
   }
 
@@ -112,8 +120,9 @@ class Search {
     lowest_ = balance_.residual;
   }
 
-  /// One correction of Newton's, shortened until the energy falls. False: none was found.
-  bool correct() {
+  /// One correction of Newton's, shortened until the energy falls if it is guarded. False: none was
+  /// found.
+  bool correct(bool guarded) {
     ++corrections_;
     Eigen::VectorXd change = Eigen::VectorXd::Zero(force_.size());
     // Far from balance the linear equations need not be solved exactly.
@@ -125,17 +134,23 @@ class Search {
       change.setZero();
       const auto solved = solver_.solve(force_, change, std::min(goal, 0.1));
       iterations_ += solved.iterations;
-      if (solved.positive || !solver_.is_factorised()) break;
+      if (solved.positive || !solver_.is_factorised() || !guarded) break;
       // Not a minimum here: stiffen all until it is one.
       shift = shift == 0 ? 1e-6 * solver_.largest_stiffness() : 10 * shift;
       if (attempt == 12) return false;
+    }
+    if (!guarded) {
+      body_.move(pose_, change);
+      force_ = out_of_balance(pose_, balance_);
+      lowest_ = std::min(lowest_, balance_.residual);
+      return std::isfinite(balance_.residual);
     }
     const double slope = -force_.dot(change);  // of the potential energy along the change
     if (!(slope < 0)) return false;
     const double before = energy(pose_);
     // Far larger than the round-off of a sum of so many energies.
     const double noise = 1e-12 * std::abs(before);
-    double length = std::min(1.0, 0.5 * body_.length() / change.cwiseAbs().maxCoeff());
+    double length = 1;
     for (int halving = 0; halving < 30; ++halving, length *= 0.5) {
       BodyPose next = pose_;
       body_.move(next, length * change);
