@@ -12,23 +12,25 @@ import pytest
 
 from liggghts_runs import CONTRIB, Liggghts, read_dump, simple_cubic
 
-STYLES = sorted(
-    match.group(2)
+KINDS = {
+    match.group(2): match.group(1).lower()
     for header in (CONTRIB / "src").glob("*.h")
-    for match in re.finditer(r"^(Bond|Fix)Style\((\S+),\w+\)$", header.read_text(), re.M)
-)
+    for match in re.finditer(
+        r"^(Bond|Compute|Fix)Style\((\S+),\w+\)$", header.read_text(), re.M
+    )
+}
+STYLES = sorted(KINDS)
 
 SECTIONS = ("Syntax", "Examples", "Description", "Restrictions", "Related commands", "Default")
 
 
 def test_there_are_styles() -> None:
-    assert "solidem/beam" in STYLES and "nve/solidem" in STYLES
+    assert {"solidem/beam", "nve/solidem", "solidem/bond"} <= set(STYLES)
 
 
 @pytest.mark.parametrize("style", STYLES)
 def test_every_style_has_a_complete_page(style: str) -> None:
-    kind = "bond" if style == "solidem/beam" else "fix"
-    page = (CONTRIB / "doc" / f"{kind}_{style.replace('/', '_')}.txt").read_text()
+    page = (CONTRIB / "doc" / f"{KINDS[style]}_{style.replace('/', '_')}.txt").read_text()
     for section in SECTIONS:
         assert f"[{section}:]" in page, f"{style}: no section {section}"
     assert re.search(r"\[Restart.*output.*:\]", page), f"{style}: nothing on restart and output"

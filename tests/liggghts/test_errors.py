@@ -30,6 +30,58 @@ WRONG = {
         "bond_style solidem/beam\nbond_coeff 1 1e9 4e8 par 0.3\n",
         "'radius' or 'pair' must follow the moduli",
     ),
+    "unknown law of beams": (BEAM.replace("0.3", "0.3 law bernoulli"), "unknown law 'bernoulli'"),
+    "shear coefficient missing": (
+        BEAM.replace("0.3", "0.3 law timoshenko"),
+        "'the shear coefficient' is missing",
+    ),
+    "unknown plasticity": (
+        BEAM.replace("0.3", "0.3 plasticity j2 1e6 0"),
+        "unknown plasticity 'j2'; known are radial-return, scaled-offset",
+    ),
+    "negative yield stress": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return -1e6 0"),
+        "the yield stress must be positive, not -1e6",
+    ),
+    "hardening missing": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return 1e6"),
+        "'the hardening modulus' is missing",
+    ),
+    "rupture at no strain": (
+        BEAM.replace("0.3", "0.3 rupture_strain 0"),
+        "rupture_strain must be positive, not 0",
+    ),
+    "contact of bonds that never break": (
+        BEAM.replace("0.3", "0.3 contact 1"),
+        "contact needs rupture_stress or rupture_strain",
+    ),
+    "bonded anew without contact": (
+        BEAM.replace("0.3", "0.3 rupture_strain 1 rebonding_pressure 1e6"),
+        "rebonding_pressure needs contact",
+    ),
+    "unknown word of a beam": (
+        BEAM.replace("0.3", "0.3 ruptur_strain 1"),
+        "unknown keyword 'ruptur_strain'; known are law, plasticity, rupture_stress",
+    ),
+    "bonds that break and conduct": (
+        BEAM.replace("0.3", "0.3 rupture_strain 1")
+        + "fix bonds all solidem/bonds\n"
+        + HEAT
+        + "initial_temperature 298\nrun 0\n",
+        "bonds that break cannot conduct heat as well",
+    ),
+    "history of another width": (
+        BEAM + "fix bonds all solidem/bonds\nbond_coeff 1 1e9 4e8 pair 0.3 rupture_strain 1\nrun 0\n",
+        "define the fix after bond_style and every bond_coeff",
+    ),
+    "few bonds of bonds that never break": (
+        BEAM + "fix bonds all solidem/bonds minimal_bonds 2\nrun 0\n",
+        "minimal_bonds needs bond_style solidem/beam with rupture",
+    ),
+    "unknown attribute of a bond": (
+        BEAM + "fix bonds all solidem/bonds\ncompute b all solidem/bond strss\n",
+        "unknown attribute 'strss'; known are id1",
+    ),
     "no memory for the bonds": (BEAM + "run 0\n", "needs one 'fix ID all solidem/bonds'"),
     "bonds before the bond style": ("fix bonds all solidem/bonds\n", "comes after 'bond_style'"),
     "bonds of a group": (
@@ -69,6 +121,17 @@ WRONG = {
         "no variable named warm",
     ),
 }
+
+
+def test_rupture_across_periodic_faces_needs_one_rank_to_decide(
+    liggghts: Liggghts, tmp_path: Path
+) -> None:
+    simple_cubic((3, 3, 3), 1e-3, periodic=True).write(tmp_path / "body.data")
+    script = BODY.replace("boundary f f f", "boundary p p p")
+    script += BEAM.replace("0.3", "0.3 rupture_strain 1") + "fix bonds all solidem/bonds\nrun 0\n"
+    with pytest.raises(AssertionError, match="need newton_bond on"):
+        liggghts.run(tmp_path, script)
+    liggghts.run(tmp_path, script.replace("newton off", "newton off on"))
 
 
 @pytest.mark.parametrize("case", WRONG)
