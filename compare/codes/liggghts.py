@@ -15,9 +15,9 @@ import numpy as np
 
 from compare.codes.base import ROOT, Job, TwoSpheres, run_program
 from compare.result import CodeFailure, Floats, Frame, Result
-from contrib.liggghts.export import (full, group_lines, heat_lines, sphere_density,
-                                     write_data)
-from contrib.yade.prepared import Beams, Grip, Parameters, PreparedError, Specimen
+from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, full, heat_lines,
+                                     sphere_density, write_data)
+from contrib.yade.prepared import Beams, Parameters, PreparedError, Specimen
 
 BUILD = ROOT / "contrib" / "liggghts" / "build_prebuilt"
 
@@ -31,7 +31,6 @@ communicate single vel yes
 special_bonds lj/coul 1 1 1
 read_data specimen.data
 pair_style none
-bond_style {bond_style}
 neighbor {skin:.17g} bin
 neigh_modify delay 0 once yes
 timestep {time_step:.17g}
@@ -62,33 +61,45 @@ def read_dump(path: Path, columns: dict[str, tuple[str, ...]], time_step: float)
     return frames
 
 
-def _beam_lines(specimen: Specimen, beams: Beams) -> str:
-    thickness = (f"pair {full(beams.radius_ratio)}" if beams.radius_from == "pair"
-                 else f"radius {full(beams.radius_ratio * beams.mean_radius)}")
-    return (f"bond_coeff 1 {full(beams.young_modulus)} {full(beams.shear_modulus)} {thickness}\n"
-            "fix bonds all solidem/bonds\n")
+# Columns of the history of motion that are not a grip's, and LIGGGHTS' words for them.
+MOTION = {
+    "kinetic_energy": "c_speed+c_spin",
+    "elastic_energy": "c_stored-f_bonds[4]",
+    "plastic_work": "f_bonds[1]",
+    "fracture_energy": "f_bonds[2]",
+    "broken_bonds": "f_bonds[3]",
+    "contact_energy": "f_bonds[4]",
+    "removed_elements": "f_bonds[5]",
+    "bonds_formed": "f_bonds[6]",
+}
 
 
-def _grip_lines(grips: list[tuple[Grip, Any]], every: int) -> str:
-    """Grips moved steadily, all else integrated; the grips' forces go to history.txt."""
-    lines, held, columns = "", [], []
-    for number, (grip, elements) in enumerate(grips):
-        if not grip.rotation_fixed:
-            raise CodeFailure(f"grip {grip.name}: free rotation is not supported in this adaptor")
-        group = f"grip{number}"
-        held.append(group)
-        lines += group_lines(group, elements)
-        speed = " ".join("NULL" if v is None else full(v) for v in grip.velocity)
-        lines += f"fix {group} {group} move linear {speed} units box\n"
-        lines += f"compute {group} {group} reduce sum fx fy fz\n"
+def _motion_columns(parameters: Parameters) -> dict[str, str]:
+    """Those of MOTION that a scene has, named as the standalone code names them."""
+    rupture, contact = parameters.rupture, parameters.contact
+    absent = set() if parameters.plasticity else {"plastic_work"}
+    absent |= set() if rupture else {"fracture_energy", "broken_bonds"}
+    absent |= set() if rupture and rupture.minimal_bonds else {"removed_elements"}
+    absent |= set() if contact else {"contact_energy"}
+    absent |= set() if contact and contact.rebonding_pressure else {"bonds_formed"}
+    return {name: words for name, words in MOTION.items() if name not in absent}
+
+
+def _history_lines(parameters: Parameters, every: int) -> str:
+    """Energies, and forces of bonds on the grips, go to history.txt."""
+    lines = ("compute speed all ke\ncompute spin all erotate/sphere\n"
+             "compute stored all pe bond\n")
+    columns = []
+    for number, words in enumerate(_motion_columns(parameters).values()):
+        lines += f"variable motion{number} equal {words}\n"
+        columns.append(f"${{motion{number}}}")
+    for number in range(len(parameters.grips)):
+        lines += f"compute pull{number} grip{number} reduce sum fx fy fz\n"
         for axis in (1, 2, 3):
-            lines += f"variable {group}_{axis} equal c_{group}[{axis}]\n"
-            columns.append(f"${{{group}_{axis}}}")
-    if held:
-        lines += f"group free subtract all {' '.join(held)}\n"
-        lines += (f'fix history all print {every} "{" ".join(["$(step)", *columns])}" '
-                  'file history.txt title "#" screen no\n')
-    return lines + f"fix motion {'free' if held else 'all'} nve/solidem\n"
+            lines += f"variable pull{number}_{axis} equal c_pull{number}[{axis}]\n"
+            columns.append(f"${{pull{number}_{axis}}}")
+    return lines + (f'fix history all print {every} "{" ".join(["$(step)", *columns])}" '
+                    'file history.txt title "#" screen no\n')
 
 
 def _heat_columns(parameters: Parameters) -> dict[str, str]:
@@ -188,23 +199,20 @@ class Liggghts:
         specimen, parameters = job.specimen, job.parameters
         parameters.require_support()
         explained = json.loads(job.explained.read_text())
-        bonds = specimen.conductors if parameters.conduction else specimen.pairs
-        if parameters.beams and not np.array_equal(bonds, specimen.pairs):
-            raise CodeFailure("liggghts: beams and conduction need the same pairs in this adaptor")
+        bonds = bonds_of(specimen, parameters)
         write_data(directory / "specimen.data", specimen, bonds,
                    sphere_density(specimen, explained))
         script = HEAD.format(
             boundary=" ".join("p" if p else "f" for p in specimen.periodic),
-            bond_style="solidem/beam" if parameters.beams else "none",
             skin=0.5 * float(specimen.radius.mean()), time_step=parameters.time_step)
+        script += "" if parameters.beams else "bond_style none\n"
         columns: dict[str, tuple[str, ...]] = {}
         if parameters.conduction:
             script += _heat_lines(job, explained, directory)
             columns["temperature"] = ("f_Temp",)
         if parameters.beams:
-            script += _beam_lines(specimen, parameters.beams)
-            script += _grip_lines([(g, specimen.sets[f"grip.{g.name}"]) for g in parameters.grips],
-                                  job.observe_every)
+            script += beam_lines(specimen, parameters)
+            script += _history_lines(parameters, job.observe_every)
             columns["position"] = ("x", "y", "z")
         headings = [h for parts in columns.values() for h in parts]
         script += f"dump frames all custom {job.frame_every} frames.dump id {' '.join(headings)}\n"
@@ -223,15 +231,19 @@ class Liggghts:
             history = {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
             for number, name in enumerate(_heat_columns(job.parameters)):
                 history[name] = rows[:, 1 + number] + _heat_of_the_start(job, name)
-        if not job.parameters.grips or not job.parameters.beams:
+        if not job.parameters.beams:
             return history
         rows = _read_rows(directory / "history.txt")
         history |= {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
+        names = list(_motion_columns(job.parameters))
+        history |= {name: rows[:, 1 + n] for n, name in enumerate(names)}
         for number, grip in enumerate(job.parameters.grips):
             for axis, name in enumerate("xyz"):
-                history[f"grip.{grip.name}.force_{name}"] = -rows[:, 1 + 3 * number + axis]
-                history[f"grip.{grip.name}.displacement_{name}"] = (
-                    (grip.velocity[axis] or 0.0) * history["time"])
+                speed = grip.velocity[axis]
+                force = -rows[:, 1 + len(names) + 3 * number + axis]
+                history[f"grip.{grip.name}.force_{name}"] = 0 * force if speed is None else force
+                if speed is not None:
+                    history[f"grip.{grip.name}.displacement_{name}"] = speed * history["time"]
         return history
 
     def beam_loads(self, spheres: TwoSpheres, directory: Path, timeout: float) -> Floats:
@@ -241,17 +253,19 @@ class Liggghts:
                             np.array([[0, 1]]))
         write_data(directory / "specimen.data", specimen, specimen.pairs, np.ones(2))
         beams = Beams(spheres.young_modulus, spheres.shear_modulus, 1.0, "mean",
-                      spheres.beam_radius)
-        script = HEAD.format(boundary="f f f", bond_style="solidem/beam", skin=spheres.radius,
-                             time_step=1e-12)
-        # The first run lets the bond see its rest length.
-        script += _beam_lines(specimen, beams) + "fix motion all nve/solidem\nrun 0\n"
+                      spheres.beam_radius, spheres.law, spheres.shear_coefficient)
+        script = HEAD.format(boundary="f f f", skin=spheres.radius, time_step=1e-12)
+        # The first run lets the bond see its rest length; then each place is a step of its own, for
+        # a bond flows once a step.
+        script += (f"bond_style solidem/beam\nbond_coeff 1 {bond_words(beams, spheres.plasticity)}\n"
+                   "fix bonds all solidem/bonds\nfix motion all nve/solidem\nrun 0\n")
         for number, motion in enumerate(spheres.motions):
             for end in (0, 1):
                 place = map(full, spheres.position[end] + motion[end])
                 turn = " ".join(map(full, _quaternion(motion[2 + end])))
                 script += "set atom {} x {} y {} z {}\n".format(end + 1, *place)
                 script += f"set atom {end + 1} property/atom orientation {turn}\n"
+            script += f"reset_timestep {number + 1}\n"
             script += (f"dump loads all custom 1 loads{number}.dump id fx fy fz tqx tqy tqz\n"
                        'dump_modify loads sort id format "%d %.17g %.17g %.17g %.17g %.17g %.17g"\n'
                        "run 0\nundump loads\n")

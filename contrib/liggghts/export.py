@@ -1,14 +1,14 @@
 #!/usr/bin/env -S /usr/bin/python3 -B
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes what LIGGGHTS reads from a prepared specimen and what its scene says of heat.
+"""Writes what LIGGGHTS reads from a prepared specimen and its scene.
 
     solidem prepare scene.toml --output prepared.h5
     solidem explain scene.toml --json > explained.json
     contrib/liggghts/export.py prepared.h5 explained.json DIRECTORY
 
-writes DIRECTORY/body.data and DIRECTORY/heat.in, to be included after read_data; besides, where the
-scene has such, cells.txt (law voronoi), walls.txt (exchanges) and sources.txt (heat
-sources).
+writes DIRECTORY/body.data, and DIRECTORY/beams.in (bonds, grips and motion) and DIRECTORY/heat.in, as
+the scene has beams and conduction, to be included after read_data; besides, where the scene has such,
+cells.txt (law voronoi), walls.txt (exchanges) and sources.txt (heat sources).
 """
 
 from __future__ import annotations
@@ -23,8 +23,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from contrib.yade.prepared import (Floats, Integers, Parameters, PreparedError,  # noqa: E402
-                                   Specimen, parse_parameters, read_specimen)
+from contrib.yade.prepared import (Beams, Contact, Floats, Grip, Integers,  # noqa: E402
+                                   Parameters, Plasticity, PreparedError, Rupture, Specimen,
+                                   parse_parameters, read_specimen)
 
 
 def full(value: float) -> str:
@@ -54,6 +55,14 @@ def write_data(path: Path, specimen: Specimen, pairs: Integers, density: Floats)
             file.write("\nBonds\n\n")
             for n, (i, j) in enumerate(pairs + 1):
                 file.write(f"{n + 1} 1 {i} {j}\n")
+
+
+def bonds_of(specimen: Specimen, parameters: Parameters) -> Integers:
+    """Pairs that are bonds in LIGGGHTS: beams and conductors, which must be the same."""
+    if parameters.beams and parameters.conduction and not np.array_equal(specimen.conductors,
+                                                                         specimen.pairs):
+        raise PreparedError(f"{specimen.path}: beams and conduction need the same pairs in LIGGGHTS")
+    return specimen.conductors if parameters.conduction else specimen.pairs
 
 
 def sphere_density(specimen: Specimen, explained: dict[str, Any]) -> Floats:
@@ -98,6 +107,57 @@ def group_lines(name: str, elements: Any) -> str:
     ids = [str(i + 1) for i in elements]
     return "".join(f"group {name} id {' '.join(ids[k:k + 1000])}\n"
                    for k in range(0, len(ids), 1000))
+
+
+def bond_words(beams: Beams, plasticity: Plasticity | None = None, rupture: Rupture | None = None,
+               contact: Contact | None = None) -> str:
+    """What bond_coeff says of beams, after the types."""
+    young = beams.young_modulus
+    words = [full(young), full(beams.shear_modulus)]
+    words += (["pair", full(beams.radius_ratio)] if beams.radius_from == "pair"
+              else ["radius", full(beams.radius_ratio * beams.mean_radius)])
+    if beams.law != "euler-bernoulli":
+        words += ["law", beams.law]
+        words += [full(beams.shear_coefficient)] if beams.law == "timoshenko" else []
+    if plasticity:
+        words += ["plasticity", plasticity.law, full(plasticity.yield_strain * young),
+                  full(plasticity.hardening_ratio * young)]
+    if rupture and np.isfinite(rupture.elastic_strain):
+        words += ["rupture_stress", full(rupture.elastic_strain * young)]
+    if rupture and np.isfinite(rupture.strain):
+        words += ["rupture_strain", full(rupture.strain)]
+    if contact:
+        words += ["contact", full(contact.stiffness_ratio)]
+        if contact.rebonding_pressure:
+            words += ["rebonding_pressure", full(contact.rebonding_pressure)]
+    return " ".join(words)
+
+
+def beam_lines(specimen: Specimen, parameters: Parameters) -> str:
+    """The commands for bonds, grips and motion. Groups and fixes of the grips are called grip0 ... in
+    the order of the scene, all other elements are the group free."""
+    parameters.require_support()
+    if parameters.beams is None:
+        raise PreparedError(f"{specimen.path}: the scene has no [beams]")
+    parameters.beams.rigidity(specimen)
+    words = bond_words(parameters.beams, parameters.plasticity, parameters.rupture,
+                       parameters.contact)
+    minimal = parameters.rupture.minimal_bonds if parameters.rupture else 0
+    lines = f"bond_style solidem/beam\nbond_coeff 1 {words}\nfix bonds all solidem/bonds"
+    lines += f" minimal_bonds {minimal}\n" if minimal else "\n"
+    for number, grip in enumerate(parameters.grips):
+        lines += _grip_lines(f"grip{number}", grip, specimen.sets[f"grip.{grip.name}"])
+    held = " ".join(f"grip{number}" for number in range(len(parameters.grips)))
+    lines += f"group free subtract all {held}\n" if held else ""
+    return lines + f"fix motion {'free' if held else 'all'} nve/solidem\n"
+
+
+def _grip_lines(name: str, grip: Grip, elements: Integers) -> str:
+    """Elements held or moved steadily; along free axes, and in turning, they obey their bonds."""
+    speed = " ".join("NULL" if v is None else full(v) for v in grip.velocity)
+    lines = group_lines(name, elements) + f"fix {name} {name} move linear {speed} units box\n"
+    return lines if grip.rotation_fixed else (
+        lines + f"fix {name}_turning {name} nve/solidem rotation_only\n")
 
 
 def _density(explained: dict[str, Any]) -> float:
@@ -178,10 +238,16 @@ def main() -> None:
     try:
         specimen = read_specimen(arguments.specimen)
         explained = json.loads(arguments.parameters.read_text())
-        lines = heat_lines(specimen, parse_parameters(explained), explained, arguments.directory)
-        write_data(arguments.directory / "body.data", specimen, specimen.conductors,
+        parameters = parse_parameters(explained)
+        lines = {}
+        if parameters.beams:
+            lines["beams.in"] = beam_lines(specimen, parameters)
+        if parameters.conduction or not parameters.beams:
+            lines["heat.in"] = heat_lines(specimen, parameters, explained, arguments.directory)
+        write_data(arguments.directory / "body.data", specimen, bonds_of(specimen, parameters),
                    sphere_density(specimen, explained))
-        (arguments.directory / "heat.in").write_text(lines)
+        for name, text in lines.items():
+            (arguments.directory / name).write_text(text)
     except (PreparedError, OSError, ValueError) as error:
         sys.exit(f"export.py: {error}")
 

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from heat_network import CONDUCTIVITY, DENSITY, SPECIFIC_HEAT, STEP, Network, network
-from liggghts_runs import CONTRIB, HEADER, Liggghts, dump, read_dump
+from liggghts_runs import CONTRIB, HEADER, Liggghts, dump, read_dump, simple_cubic, thermo
 
-STEPS = 50
+STEPS, RADIUS = 50, 0.5e-3
 EXPLAINED: dict[str, Any] = {
     "time_step": {"value": STEP},
     "steps": STEPS,
@@ -147,3 +147,104 @@ def test_laws_that_cannot_be_exported_are_told(
     done = prepare(body, tmp_path, {**EXPLAINED, "laws": {"conduction": law}})
     assert done.returncode != 0
     assert message in done.stderr
+
+
+BEAMS: dict[str, Any] = {
+    "time_step": {"value": 1e-7},
+    "steps": STEPS,
+    "density": DENSITY,
+    "laws": {
+        "beams": {
+            "law": "timoshenko",
+            "shear_coefficient": 0.85,
+            "young_modulus": 3.5e10,
+            "shear_modulus": 1.3e10,
+            "radius_ratio": 0.3,
+            "radius_from": "pair",
+            "mean_radius": RADIUS,
+        },
+        "plasticity": {"law": "scaled-offset", "yield_strain": 1e-3, "hardening_ratio": 0.02},
+        "rupture": {"elastic_strain": None, "strain": 0.02, "minimal_bonds": 1},
+        "contact": {"stiffness_ratio": 0.5, "rebonding_pressure": None},
+    },
+    "grips": [
+        {"name": "left", "rotation": "fixed",
+         "axes": [{"kind": "velocity", "function": {"time": [0], "value": [v]}} for v in (0, 0, 0)]},
+        {"name": "right", "rotation": "free",
+         "axes": [{"kind": "velocity", "function": {"time": [0], "value": [20.0]}},
+                  {"kind": "free"}, {"kind": "free"}]},
+    ],
+}
+BY_HAND = """bond_style solidem/beam
+bond_coeff 1 3.5e10 1.3e10 pair 0.3 law timoshenko 0.85 plasticity scaled-offset 3.5e7 7e8 &
+  rupture_strain 0.02 contact 0.5
+fix bonds all solidem/bonds minimal_bonds 1
+group left id 1:9
+group right id 64:72
+group free subtract all left
+fix left left move linear 0 0 0
+fix motion free nve/solidem
+velocity right set 20 0 0
+fix right right setforce 0 NULL NULL
+"""
+
+
+def prepare_beams(folder: Path, explained: dict[str, Any]) -> subprocess.CompletedProcess:
+    """Writes a prepared bar and exports it to the folder `out`."""
+    body = simple_cubic((8, 3, 3), RADIUS)
+    count = len(body.position)
+    body.position += 0.05 * RADIUS * np.random.default_rng(4).normal(size=(count, 3))
+    with h5py.File(folder / "prepared.h5", "w") as file:
+        file["elements/position"], file["elements/radius"] = body.position, body.radius
+        file["bonds/pairs"] = body.pairs.astype("i4")
+        file["mechanics/mass"] = np.full(count, DENSITY * 4 / 3 * np.pi * RADIUS**3)
+        file["sets/grip.left"] = np.arange(9).astype("i4")
+        file["sets/grip.right"] = np.arange(count - 9, count).astype("i4")
+    (folder / "explained.json").write_text(json.dumps(explained))
+    return export(folder)
+
+
+def test_exported_beams_do_as_the_same_by_hand(liggghts: Liggghts, tmp_path: Path) -> None:
+    done = prepare_beams(tmp_path, BEAMS)
+    assert done.returncode == 0, done.stderr
+    assert not (tmp_path / "out" / "heat.in").exists()
+    steps, states = 400, []
+    for name, lines in (("exported", "include beams.in\n"), ("by hand", BY_HAND)):
+        script = HEADER + (
+            "boundary f f f\nnewton off\nread_data body.data\nneighbor 1e-3 bin\npair_style none\n"
+            f"{lines}timestep 1e-7\nthermo_style custom step atoms f_bonds[1] f_bonds[3]\n"
+            + dump("state", steps, "x", "y", "z", "fx", "fy", "fz", "omegax", "omegay", "omegaz")
+            + f"run {steps}\n"
+        )
+        said = liggghts.run(tmp_path / "out", script)
+        states.append((read_dump(tmp_path / "out" / "state.txt")[steps], thermo(said)[-1]))
+    (exported, totals), (by_hand, totals_by_hand) = states
+    assert totals[2] > 0 and totals[3] > 0, "it must flow and break"
+    assert (totals == totals_by_hand).all()
+    assert np.abs(exported[-9:, 6:]).max() > 0 == np.abs(exported[:9, 6:]).max()
+    exported[-9:, 3] = 0  # as `fix setforce` has it
+    scale = np.abs(by_hand).max(axis=0)
+    assert (np.abs(exported - by_hand) / scale).max() <= 1e-9
+
+
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        (
+            {"grips": [{**BEAMS["grips"][0], "axes": [
+                {"kind": "velocity", "function": {"time": [0, 1], "value": [0, 1]}}] * 3}]},
+            "grip left: ",
+        ),
+        (
+            {"laws": {**BEAMS["laws"], "beams": {**BEAMS["laws"]["beams"], "fibres": {"factor": 10}}}},
+            "beams with fibres are not understood",
+        ),
+    ],
+)
+def test_beams_that_cannot_be_exported_are_told(
+    tmp_path: Path, change: dict[str, Any], message: str
+) -> None:
+    done = prepare_beams(tmp_path, {**BEAMS, **change})
+    assert done.returncode != 0
+    assert message in done.stderr
+    assert not (tmp_path / "out" / "beams.in").exists()

@@ -9,6 +9,8 @@
 // Contributing author: solidem developers
 #include "fix_nve_solidem.h"
 
+#include <string.h>
+
 #include "atom.h"
 #include "error.h"
 #include "fix_property_atom.h"
@@ -24,9 +26,12 @@ FixNVESolidem::FixNVESolidem(LAMMPS* liggghts, int narg, char** arg)
     : Fix(liggghts, narg, arg),
       half_step_over_force_unit(0.0),
       step(0.0),
+      translates(true),
       orientation(NULL),
       removed(NULL) {
-  if (narg != 3) error->fix_error(FLERR, this, "takes no arguments");
+  if (narg > 4 || (narg == 4 && strcmp(arg[3], "rotation_only") != 0))
+    error->fix_error(FLERR, this, "takes no arguments but 'rotation_only'");
+  translates = narg == 3;
   if (!atom->sphere_flag)
     error->fix_error(FLERR, this, "needs 'atom_style hybrid granular molecular'");
   time_integrate = 1;
@@ -61,7 +66,7 @@ void FixNVESolidem::kick(int i) {
   const double per_inertia =
       half_step_over_force_unit / solidem::sphere_inertia(atom->rmass[i], atom->radius[i]);
   for (int k = 0; k < 3; k++) {
-    atom->v[i][k] += per_mass * atom->f[i][k];
+    if (translates) atom->v[i][k] += per_mass * atom->f[i][k];
     atom->omega[i][k] += per_inertia * atom->torque[i][k];
   }
 }
@@ -70,7 +75,8 @@ void FixNVESolidem::initial_integrate(int) {
   for (int i = 0; i < atom->nlocal; i++) {
     if (!moves(i)) continue;
     kick(i);
-    for (int k = 0; k < 3; k++) atom->x[i][k] += step * atom->v[i][k];
+    if (translates)
+      for (int k = 0; k < 3; k++) atom->x[i][k] += step * atom->v[i][k];
     double* q = orientation->array_atom[i];
     const double* omega = atom->omega[i];
     const solidem::Quaternion<double> turned =

@@ -35,6 +35,7 @@ class FixNVESolidem : public Fix {
 
  private:
   double half_step_over_force_unit, step;
+  bool translates;
   class FixPropertyAtom *orientation, *removed;
 
   bool moves(int) const;

@@ -31,7 +31,7 @@ struct SolidemBondMemory {
     PLASTIC_WORK = 10,   ///< so far
     RUPTURE = 11,  ///< 0: whole; s + 1: broke at step s; s + 1.5: cut at step s; -(s + 2): made
                    ///< anew at step s, from the next one on it is whole; GONE: apart for good
-    FLOW = 12,            ///< s + 1: last flowed at step s; when made anew, the rest length before
+    FLOW = 12,     ///< s + 1: last flowed at step s; when made anew, the rest length before
     REST_DIRECTION = 13,  ///< 3: direction when it was made, in body axes
   };
   /// Numbers of a bond that is elastic; may flow or break; flows by the scaled offset.
