@@ -160,7 +160,8 @@ struct HeatSourceParameters {
 /// Elements that start with a velocity.
 struct InitialVelocity {
   Region region;
-  Vector velocity;  ///< m/s
+  Vector velocity;      ///< m/s
+  Vector stretching{};  ///< 1/s: besides, along x, y, z as far as from the middle of the body
 };
 
 }  // namespace solidem

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "effects/beams.hpp"
 #include "effects/contact.hpp"
@@ -82,9 +83,14 @@ Model Simulation::make_model(Specimen specimen) {
   if (setup_.gauge) selections_["component"] = largest_component(specimen);
   std::optional<std::vector<Pair>> conductors;
   if (setup_.conduction) {
+    const bool by_faces = setup_.conduction->law == ConductionParameters::Law::voronoi;
+    // Heat passes where elements touch, not along fibres.
+    const bool past_fibres = !by_faces && setup_.beams && setup_.beams->fibres;
+    std::vector<Pair> bonds;
+    if (past_fibres) bonds = std::exchange(specimen.bonds, bonds_in_contact(specimen));
     geometry_ = std::make_unique<ConductionGeometry>(
         scaled_geometry(*setup_.conduction, specimen, setup_.conduction->area_factor));
-    const bool by_faces = setup_.conduction->law == ConductionParameters::Law::voronoi;
+    if (past_fibres) conductors = std::exchange(specimen.bonds, std::move(bonds));
     // Where nothing but heat is simulated, the faces are all that bonds are needed for.
     if (by_faces && !setup_.beams) specimen.bonds = geometry_->faces;
     if (by_faces && setup_.beams) conductors = geometry_->faces;
@@ -111,11 +117,14 @@ void Simulation::add_motion(const std::vector<double>& density) {
         std::make_unique<ElementContacts>(*setup_.contact, *beams_, *rupture_, model_));
   for (const InitialVelocity& initial : setup_.initial_velocities)
     for (const std::int32_t e : select(initial.region, model_.specimen())) {
-      double* velocity = model_.data(columns::velocity);
+      const Domain& domain = model_.specimen().domain;
       const auto i = static_cast<std::size_t>(e);
-      velocity[Model::at(columns::velocity, i, 0)] = initial.velocity.x;
-      velocity[Model::at(columns::velocity, i, 1)] = initial.velocity.y;
-      velocity[Model::at(columns::velocity, i, 2)] = initial.velocity.z;
+      const Vector from_middle =
+          model_.specimen().position[i] - 0.5 * (domain.lower + domain.upper);
+      for (int axis = 0; axis < 3; ++axis)
+        model_.data(columns::velocity)[Model::at(columns::velocity, i, axis)] =
+            component(initial.velocity, axis) +
+            component(initial.stretching, axis) * component(from_middle, axis);
     }
   std::map<std::int32_t, std::string> gripped;
   for (const GripParameters& grip : setup_.grips) {

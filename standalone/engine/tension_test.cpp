@@ -26,7 +26,25 @@ GripParameters grip(const char* name, const TensileBar& bar, bool high_side, dou
   return grip;
 }
 
-Setup setup_of(const BondParameters& bonds, const TensionTest& test) {
+/// Length between the ends that are held.
+double free_length(const Domain& domain, const TensileBar& bar) {
+  return component(domain.upper - domain.lower, bar.gauge.axis) - 2 * bar.grip_depth;
+}
+
+/// Every centre moves as in a uniform stretching of the bar, the middle of which has half the
+/// speed.
+InitialVelocity steady_stretching(const Domain& domain, const TensionTest& test) {
+  const double rate = test.speed / free_length(domain, test.bar);
+  const double thinning = -rate * test.elastic.poisson_ratio;
+  InitialVelocity initial;
+  initial.velocity = {};
+  initial.stretching = {thinning, thinning, thinning};
+  component(initial.velocity, test.bar.gauge.axis) = 0.5 * test.speed;
+  component(initial.stretching, test.bar.gauge.axis) = rate;
+  return initial;
+}
+
+Setup setup_of(const BondParameters& bonds, const Specimen& specimen, const TensionTest& test) {
   Setup setup;
   setup.materials = test.materials;
   setup.beams = bonds.beams;
@@ -35,29 +53,10 @@ Setup setup_of(const BondParameters& bonds, const TensionTest& test) {
   setup.contact = bonds.contact;
   setup.grips = {grip("low", test.bar, false, 0), grip("high", test.bar, true, test.speed)};
   setup.gauge = test.bar.gauge;
+  setup.initial_velocities = {steady_stretching(specimen.domain, test)};
   setup.run.steps = 1;  // the test decides when it ends
   setup.run.time_step_ratio = test.time_step_ratio;
   return setup;
-}
-
-/// Every centre moves as in a uniform stretching of the bar.
-void set_in_motion(Simulation& simulation, const TensionTest& test) {
-  Model& model = simulation.model();
-  const Specimen& specimen = model.specimen();
-  const Domain& domain = specimen.domain;
-  const int axis = test.bar.gauge.axis;
-  const double low = component(domain.lower, axis) + test.bar.grip_depth;
-  const double high = component(domain.upper, axis) - test.bar.grip_depth;
-  const double rate = test.speed / (high - low);
-  const Vector middle = 0.5 * (domain.lower + domain.upper);
-  double* velocity = model.data(columns::velocity);
-  for (std::size_t i = 0; i < model.elements(); ++i)
-    for (int d = 0; d < 3; ++d) {
-      const double place = component(specimen.position[i], d);
-      velocity[Model::at(columns::velocity, i, static_cast<std::size_t>(d))] =
-          d == axis ? rate * (std::clamp(place, low, high) - low)
-                    : -rate * test.elastic.poisson_ratio * (place - component(middle, d));
-    }
 }
 
 double find(const HistoryRow& row, const char* name) {
@@ -97,13 +96,9 @@ TensionFigures figures_of(const std::vector<TensionPoint>& points, double young_
 }
 
 TensionCurve pull(const BondParameters& bonds, const Specimen& specimen, const TensionTest& test) {
-  Simulation simulation(setup_of(bonds, test), specimen);
-  set_in_motion(simulation, test);
-  const Domain& domain = specimen.domain;
-  const int axis = test.bar.gauge.axis;
-  const double length =
-      component(domain.upper, axis) - component(domain.lower, axis) - 2 * test.bar.grip_depth;
-  const double elongation_per_step = test.speed * simulation.time_step().value / length;
+  Simulation simulation(setup_of(bonds, specimen, test), specimen);
+  const double elongation_per_step =
+      test.speed * simulation.time_step().value / free_length(specimen.domain, test.bar);
   TensionCurve curve;
   double peak = 0;
   while (true) {
