@@ -45,6 +45,12 @@ double mean(const std::vector<double>& values) {
 BeamParameters scaled(BeamParameters beams, double factor) {
   beams.young_modulus *= factor;
   beams.shear_modulus *= factor;
+  if (beams.anisotropy) {
+    Anisotropy& grain = *beams.anisotropy;
+    grain.radial_modulus *= factor;
+    grain.tangential_modulus *= factor;
+    if (grain.transverse_shear_modulus) *grain.transverse_shear_modulus *= factor;
+  }
   return beams;
 }
 

@@ -44,6 +44,7 @@ const std::map<std::string, Expected> expected = {
     {"compare/scenes/two_materials.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/vibrating_bar.toml", {{"beams"}, {"move_beams"}, motion}},
     {"compare/scenes/wedge.toml", {hot_and_cold, {"conduct"}, heat}},
+    {"docs/examples/calibration.toml", {{"beams"}, {"move_beams"}, motion}},
     {"docs/examples/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"docs/examples/moving_source.toml",
      {{"conduction", "heat source disc", "convection air"},

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""solidem calibrate finds the beams that give a body its properties, or says why it cannot."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+BODY = """\
+title = "bar"
+[specimen]
+shape = "box"
+size = ["5 mm", "3 mm", "2 mm"]
+elements = 300
+seed = 1
+[material]
+density = "2790 kg/m^3"
+"""
+
+BEAMS = """\
+[beams]
+young_modulus = "{young_modulus} Pa"
+poisson_ratio = 0.3
+radius_ratio = {radius_ratio}
+"""
+
+#: Both ends move along x and are free in all else, as the bars of a calibration.
+PULLED = """\
+[[grips]]
+name = "low"
+region = { axis = "x", side = "low", layers = 1 }
+displacement = ["0 m", "free", "free"]
+rotation = "free"
+[[grips]]
+name = "high"
+region = { axis = "x", side = "high", layers = 1 }
+velocity = [{ time = ["0 us", "8 us"], value = ["0 m/s", "0.2 m/s"] }, "free", "free"]
+rotation = "free"
+[gauge]
+axis = "x"
+lower = "1.5 mm"
+upper = "3.5 mm"
+[run]
+duration = "30 us"
+observe_every = 5
+"""
+
+
+def scene(beams: dict[str, float], targets: str, body: str = BODY) -> str:
+    return body + BEAMS.format(**beams) + "[calibration]\n" + targets
+
+
+def results(folder: Path) -> list[dict]:
+    return json.loads((folder / "calibration.json").read_text())["results"]
+
+
+def test_a_pulled_bar_gives_back_the_beams_it_was_made_of(solidem):
+    beams = {"young_modulus": 3e12, "radius_ratio": 0.3}
+    done = solidem("run", solidem.scene("pull.toml", BODY + BEAMS.format(**beams) + PULLED),
+                   "-o", "pull")
+    assert done.returncode == 0, done.stderr
+    with open(solidem.folder / "pull" / "history.csv", newline="") as file:
+        rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+    strain = np.array([row["gauge.strain"] for row in rows])
+    young_modulus = np.polyfit(strain, [row["gauge.stress"] for row in rows], 1)[0]
+    poisson_ratio = -np.polyfit(strain, [row["gauge.lateral_strain"] for row in rows], 1)[0]
+
+    targets = (f'young_modulus = "{young_modulus} Pa"\npoisson_ratio = {poisson_ratio}\n'
+               'specimens = 1\ntolerances = { poisson_ratio = 1e-5 }\n')
+    wrong = {"young_modulus": 1e12, "radius_ratio": 0.45}
+    done = solidem("calibrate", solidem.scene("find.toml", scene(wrong, targets)), "-o", "found")
+    assert done.returncode == 0, done.stderr
+    found = results(solidem.folder / "found")[0]["parameters"]
+    assert found["radius_ratio"] == pytest.approx(0.3, rel=0.01)
+    assert found["young_modulus"] == pytest.approx(3e12, rel=0.02)
+
+
+def test_the_sections_it_writes_make_a_body_with_the_properties_asked_for(solidem):
+    targets = 'young_modulus = "73 GPa"\npoisson_ratio = 0.3\nspecimens = 1\n'
+    beams = {"young_modulus": 1e12, "radius_ratio": 0.5}
+    solidem("calibrate", solidem.scene("first.toml", scene(beams, targets)), "-o", "first")
+    written = (solidem.folder / "first" / "calibrated.toml").read_text()
+    again = solidem.scene("again.toml", BODY + written + "[calibration]\n" + targets)
+    done = solidem("calibrate", again, "-o", "again")
+    assert done.returncode == 0, done.stderr
+    trial = results(solidem.folder / "again")[0]["trials"]
+    assert len(trial) == 1, "the first trial is right already"
+    assert trial[0]["figures"][0]["young_modulus"] == pytest.approx(73e9, rel=1e-4)
+    assert trial[0]["figures"][0]["poisson_ratio"] == pytest.approx(0.3, abs=0.002)
+
+
+def test_one_set_meets_the_targets_in_the_mean_and_a_set_for_each_in_each(solidem):
+    beams = {"young_modulus": 1e12, "radius_ratio": 0.3}
+    targets = 'young_modulus = "73 GPa"\npoisson_ratio = 0.3\nspecimens = 3\nfit = "{}"\n'
+    for fit in ("mean", "each"):
+        done = solidem("calibrate", solidem.scene(f"{fit}.toml", scene(beams, targets.format(fit))),
+                       "-o", fit)
+        assert done.returncode == 0, done.stderr
+    mean, each = results(solidem.folder / "mean"), results(solidem.folder / "each")
+    assert len(mean) == 1 and len(each) == 3
+    moduli = [body["young_modulus"] for body in mean[0]["figures"]]
+    ratios = [body["poisson_ratio"] for body in mean[0]["figures"]]
+    assert np.mean(moduli) == pytest.approx(73e9, rel=1e-9)
+    assert np.mean(ratios) == pytest.approx(0.3, abs=0.002)
+    assert mean[0]["deviation"]["young_modulus"] == pytest.approx(np.std(moduli, ddof=1))
+    assert np.ptp(ratios) > 0.002, "three packings differ"
+    for result in each:
+        assert result["figures"][0]["young_modulus"] == pytest.approx(73e9, rel=1e-9)
+        assert result["figures"][0]["poisson_ratio"] == pytest.approx(0.3, abs=0.002)
+
+
+def test_a_bar_torn_in_two_gives_back_its_yield_strain_hardening_and_rupture_strain(solidem):
+    beams = {"young_modulus": 3.5e12, "radius_ratio": 0.27}
+    plastic = ("[plasticity]\nyield_strain = {}\nhardening_ratio = {}\n"
+               "[rupture]\nstrain = {}\n")
+    targets = 'young_modulus = "{} Pa"\nspecimens = 1\n'
+    tension = ('yield_stress = "{yield_stress} Pa"\npeak_stress = "{peak_stress} Pa"\n'
+               'rupture_strain = {rupture_strain}\n')
+    # One round of tests with the known bonds; its targets do not matter.
+    known = solidem.scene("known.toml", BODY + BEAMS.format(**beams)
+                          + plastic.format(0.0021, 0.007, 0.2) + "[calibration]\n"
+                          + targets.format(80e9) + 'tension_tests = 1\n'
+                          + tension.format(yield_stress=300e6, peak_stress=450e6,
+                                           rupture_strain=0.15))
+    solidem("calibrate", known, "-o", "known")
+    shown = results(solidem.folder / "known")[0]["trials"][-1]["figures"][0]
+    assert shown["peak_stress"] > shown["yield_stress"] > 0
+
+    wanted = solidem.scene("wanted.toml", BODY + BEAMS.format(**beams)
+                           + plastic.format(0.0030, 0.004, 0.25) + "[calibration]\n"
+                           + targets.format(80e9) + tension.format(**shown)
+                           + "tolerances = { rupture_strain = 0.05 }\n")
+    done = solidem("calibrate", wanted, "-o", "wanted")
+    assert done.returncode == 0, done.stderr
+    found = results(solidem.folder / "wanted")[0]["parameters"]
+    assert found["yield_strain"] == pytest.approx(0.0021, rel=0.03)
+    assert found["hardening_ratio"] == pytest.approx(0.007, rel=0.15)
+    assert found["rupture_strain"] == pytest.approx(0.2, rel=0.15)
+
+
+def test_a_poisson_ratio_out_of_reach_is_refused_with_what_is_reachable(solidem):
+    beams = {"young_modulus": 1e12, "radius_ratio": 0.3}
+    targets = 'young_modulus = "73 GPa"\npoisson_ratio = 0.49\nspecimens = 1\n'
+    done = solidem("calibrate", solidem.scene("bar.toml", scene(beams, targets)), "-o", "out")
+    assert done.returncode == 2
+    for words in ("poisson_ratio = 0.49", "out of reach", "[bonds] tolerance", "of the beams"):
+        assert words in done.stderr
+    reach = re.search(r"gives ([\d.]+) \(at ([\d.]+)\) to ([\d.]+) \(at ([\d.]+)\)", done.stderr)
+    assert reach is not None
+    low, thick, high, thin = map(float, reach.groups())
+    assert low < 0.2 < high < 0.49 and thin < thick, "thin beams give the larger ratio"
+
+
+GOOD = scene({"young_modulus": 1e12, "radius_ratio": 0.3},
+             'young_modulus = "73 GPa"\npoisson_ratio = 0.3\nspecimens = 1\n')
+
+#: (what is done to the good scene, words that the message must hold)
+BAD = {
+    "no targets": (lambda t: t[:t.index("[calibration]")] + '[run]\nsteps = 1\n',
+                   ["[calibration]", "targets"]),
+    "no modulus": (lambda t: t.replace('young_modulus = "73 GPa"\n', ""),
+                   ["bar.toml:13", "young_modulus"]),
+    "impossible ratio": (lambda t: t.replace("poisson_ratio = 0.3\nspec", "poisson_ratio = 0.7\nspec"),
+                         ["bar.toml:15", "0.7", "0.5"]),
+    "peak below yield": (lambda t: t + 'yield_stress = "3 MPa"\npeak_stress = "2 MPa"\n',
+                         ["peak_stress", "2 MPa", "yield_stress"]),
+    "bounds in the wrong order": (lambda t: t + "rupture_strain = [0.2, 0.1]\n",
+                                  ["bar.toml:17", "rupture_strain", "lowest"]),
+    "misspelt target": (lambda t: t + 'yield_stres = "3 MPa"\n',
+                        ["yield_stres", "yield_stress"]),
+    "speed without a pull": (lambda t: t + 'speed = "1 m/s"\n', ["speed", "yield_stress"]),
+    "two crystals": (lambda t: t.replace('size = ["5 mm", "3 mm", "2 mm"]\nelements = 300\nseed = 1',
+                                         'lattice = "bcc"\ncells = [8, 4, 4]\nelement_radius = "0.1 mm"')
+                     .replace('"box"', '"crystal"').replace("specimens = 1", "specimens = 2"),
+                     ["specimens = 2", "crystal", "specimens = 1"]),
+    "periodic": (lambda t: t.replace("seed = 1", "seed = 1\nperiodic = [false, true, false]"),
+                 ["periodic", "thin"]),
+    "gauge in the grips": (lambda t: t + '[gauge]\naxis = "x"\nlower = "0 mm"\nupper = "3 mm"\n',
+                           ["[gauge]", "between"]),
+    "nothing moves": (lambda t: t.replace("[beams]", '[conduction]\ninitial_temperature = "298 K"\n[nothing]'),
+                      ["nothing"]),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_a_bad_request_is_refused_with_its_remedy(solidem, name):
+    spoil, words = BAD[name]
+    text = spoil(GOOD)
+    assert text != GOOD
+    done = solidem("calibrate", solidem.scene("bar.toml", text), "-o", "out")
+    assert done.returncode == 2, done.stdout + done.stderr
+    for word in words:
+        assert word in done.stderr
+
+
+def test_a_scene_without_a_run_is_told_so_by_run(solidem):
+    done = solidem("run", solidem.scene("bar.toml", GOOD), "-o", "out")
+    assert done.returncode == 2
+    assert "[run]" in done.stderr
