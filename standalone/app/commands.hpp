@@ -37,6 +37,16 @@ int calibrate_scene(const CalibrateCommand& command);
 /// `solidem constants`: the elastic constants of a periodic body along the axes of its grain.
 void measure_constants(const std::string& scene, bool json);
 
+struct SolveCommand {
+  std::string scene, output;
+  std::string rotations = "small";  ///< or "finite"
+  int modes = 0;                    ///< natural vibrations to find
+  int threads = 0;
+  bool quiet = false;  ///< prints nothing of the way there
+};
+/// `solidem solve`: the static equilibrium of a bonded scene at the end of its run.
+void solve_scene(const SolveCommand& command);
+
 /// `solidem convert`, `solidem info`.
 void convert_specimen(const std::string& from, const std::string& to);
 void describe_specimen(const std::string& file);

@@ -74,6 +74,22 @@ int main(int argc, char** argv) {
   constants->add_flag("--json", json, "for programs, all in SI units");
   constants->callback([&] { chosen = [&] { return solidem::measure_constants(scene, json), 0; }; });
 
+  solidem::SolveCommand solve;
+  auto* solve_app = app.add_subcommand(
+      "solve", "Find the static equilibrium of a bonded scene at the end of its run");
+  solve_app->add_option("scene", solve.scene, "scene file (TOML)")->required();
+  solve_app->add_option("-o,--output", solve.output,
+                        "folder for the results (default: the scene's name)");
+  solve_app->add_option("--rotations", solve.rotations, "small (default) or finite")
+      ->check(CLI::IsMember({"small", "finite"}));
+  solve_app->add_option("--modes", solve.modes, "number of natural vibrations to find (default: 0)")
+      ->check(CLI::Range(0, 1000));
+  solve_app
+      ->add_option("-t,--threads", solve.threads, "number of threads (default: all processors)")
+      ->check(CLI::Range(1, 4096));
+  solve_app->add_flag("-q,--quiet", solve.quiet, "print the result only");
+  solve_app->callback([&] { chosen = [&] { return solidem::solve_scene(solve), 0; }; });
+
   auto* convert =
       app.add_subcommand("convert", "Convert a specimen: .h5, .data (LIGGGHTS), .txt (YADE), .csv");
   convert->add_option("from", from, "file to read")->required();

@@ -31,6 +31,20 @@ std::string degree_name(int degree) {
   return std::string(degree < 3 ? "displacement along " : "turn about ") + "xyz"[degree % 3];
 }
 
+/// σ_e / E from the loads of a bond, with the radius and the moduli that its rigidity tells.
+double strain_of_load(const BondState& bond, const BeamLoad<double>& load) {
+  const Vector x = (1 / norm(bond.chord)) * bond.chord;
+  const double stretch = std::abs(dot(load.force, x)) / bond.rigidity.axial;
+  if (!(bond.rigidity.bending > 0)) return stretch;
+  const double radius = std::sqrt(2 * bond.rigidity.bending / bond.rigidity.axial);
+  const Vector difference = load.moment_i - load.moment_j;  // bends and twists
+  const double twisting = dot(difference, x);
+  // ½ |M_i − M_j| r / (E I) and M_x r / (E I_0), where 2 E I = E I_0 is the bending rigidity.
+  const double bend = radius * norm(difference - twisting * x) / bond.rigidity.bending;
+  const double slip = 0.5 * radius * twisting / bond.rigidity.bending;
+  return std::sqrt((stretch + bend) * (stretch + bend) + 3 * slip * slip);
+}
+
 }  // namespace
 
 BondedBody::BondedBody(const BeamNetwork& network) : network_(&network) {
@@ -238,8 +252,9 @@ void set_motion(const BodyPose& pose, Equilibrium& equilibrium) {
   }
 }
 
-void set_reactions(const BondedBody& body, const BoundaryConditions& conditions,
-                   const std::vector<BeamLoad<double>>& loads, Equilibrium& equilibrium) {
+void set_loads(const BondedBody& body, const BoundaryConditions& conditions,
+               const std::vector<BondState>& bonds, const std::vector<BeamLoad<double>>& loads,
+               Equilibrium& equilibrium) {
   Eigen::VectorXd reaction = -(body.sum(loads) + conditions.load);
   for (Index k = 0; k < reaction.size(); ++k)
     if (conditions.held[static_cast<std::size_t>(k)] == 0) reaction[k] = 0;
@@ -251,7 +266,11 @@ void set_reactions(const BondedBody& body, const BoundaryConditions& conditions,
         body.length() * vector_at(reaction, static_cast<Index>(6 * e + 3));
   }
   equilibrium.bond_force.clear();
-  for (const BeamLoad<double>& load : loads) equilibrium.bond_force.push_back(load.force);
+  equilibrium.bond_strain.clear();
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    equilibrium.bond_force.push_back(loads[b].force);
+    equilibrium.bond_strain.push_back(strain_of_load(bonds[b], loads[b]));
+  }
 }
 
 }  // namespace solidem

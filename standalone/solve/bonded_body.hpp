@@ -87,9 +87,11 @@ Eigen::VectorXd field_of(const Equilibrium& equilibrium, double length);
 void set_motion(const Eigen::VectorXd& field, double length, Equilibrium& equilibrium);
 void set_motion(const BodyPose& pose, Equilibrium& equilibrium);
 
-/// Reactions: what the bonds and loads leave on degrees of freedom that are held; bond forces.
-void set_reactions(const BondedBody& body, const BoundaryConditions& conditions,
-                   const std::vector<BeamLoad<double>>& loads, Equilibrium& equilibrium);
+/// Reactions: what the bonds and loads leave on degrees of freedom that are held; forces and
+/// strains of the bonds, which stand at `bonds`.
+void set_loads(const BondedBody& body, const BoundaryConditions& conditions,
+               const std::vector<BondState>& bonds, const std::vector<BeamLoad<double>>& loads,
+               Equilibrium& equilibrium);
 
 }  // namespace solidem
 

@@ -50,9 +50,9 @@ class Search {
 
   Equilibrium result() {
     Equilibrium equilibrium;
-    const auto loads = body_.loads(body_.bonds_at(pose_));
+    const auto bonds = body_.bonds_at(pose_);
     set_motion(pose_, equilibrium);
-    set_reactions(body_, scaled_conditions(), loads, equilibrium);
+    set_loads(body_, scaled_conditions(), bonds, body_.loads(bonds), equilibrium);
     equilibrium.periodic_gradient = pose_.gradient;
     equilibrium.iterations = iterations_;
     equilibrium.corrections = corrections_;

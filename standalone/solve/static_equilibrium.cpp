@@ -77,7 +77,7 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
                    std::to_string(result.residual) + " of the bonds' forces after " +
                    std::to_string(result.iterations) + " iterations");
   set_motion(field, body.length(), result);
-  set_reactions(body, conditions, bond_loads, result);
+  set_loads(body, conditions, body.rest(), bond_loads, result);
   result.energy = body.small_motion_energy(field, options.periodic_gradient, bond_loads);
   return result;
 }

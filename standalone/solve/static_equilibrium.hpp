@@ -51,6 +51,7 @@ struct Equilibrium {
   std::vector<Vector> reaction;         ///< force of the constraints on each element, N
   std::vector<Vector> reaction_moment;  ///< N·m
   std::vector<Vector> bond_force;       ///< on element i of each bond of the network, N
+  std::vector<double> bond_strain;      ///< equivalent strain of each bond, see beam_plasticity.hpp
   Matrix3 periodic_gradient{};          ///< of a periodic body, as asked for
   int iterations = 0;                   ///< of conjugate gradients; 1: factorised
   double residual = 0;  ///< force out of balance, as a share of the bonds' forces on the elements

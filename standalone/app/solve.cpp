@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "laws/rigid_sphere.hpp"
+#include "model/error.hpp"
+#include "output/disk.hpp"
+#include "output/summary.hpp"
+#include "output/trajectory.hpp"
+#include "scene/body.hpp"
+#include "solve/finite_equilibrium.hpp"
+#include "solve/modes.hpp"
+#include "solve/static_grips.hpp"
+
+namespace solidem {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Json json_of(const Vector& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// A bonded scene at one time.
+struct StaticScene {
+  Specimen specimen;
+  BeamNetwork network;
+  std::vector<double> mass;
+  double time;  ///< s, at which the grips stand
+  GripConditions conditions;
+};
+
+std::vector<double> masses_of(const Simulation& simulation) {
+  const double* inverse = simulation.model().data(columns::inverse_mass);
+  std::vector<double> mass(simulation.model().elements());
+  for (std::size_t i = 0; i < mass.size(); ++i) mass[i] = 1 / inverse[i];
+  return mass;
+}
+
+void set_up(const Scene& scene, StaticScene& body) {
+  if (!scene.setup.beams)
+    throw InputError(scene.path +
+                     ": the scene has no [beams]; `solidem solve` needs bonds to solve");
+  // Whether a time step is stable does not matter here.
+  const Simulation simulation(scene.setup, make_body(scene), true);
+  body.specimen = simulation.model().specimen();
+  body.specimen.bonds = simulation.model().slots().pairs();
+  body.network = beam_network(*scene.setup.beams, body.specimen);
+  body.mass = masses_of(simulation);
+  body.time = scene.setup.run.duration.value_or(static_cast<double>(simulation.steps_to_run()) *
+                                                simulation.time_step().value);
+  for (const GripParameters& grip : scene.setup.grips)
+    impose(grip, simulation.selections().at("grip." + grip.name), body.mass, body.time,
+           body.conditions);
+}
+
+Equilibrium find_equilibrium(const StaticScene& body, const SolveCommand& command) {
+  if (command.rotations == "small")
+    return small_equilibrium(body.network, body.conditions.constraints, body.conditions.loads);
+  FiniteOptions options;
+  if (!command.quiet)
+    options.report = [](double share, int corrections, double residual) {
+      fmt::print("  {:6.4f} of the loads and displacements after {} corrections, residual {:.2g}\n",
+                 share, corrections, residual);
+      std::fflush(stdout);
+    };
+  return finite_equilibrium(body.network, body.conditions.constraints, body.conditions.loads,
+                            options);
+}
+
+std::vector<Mode> find_modes(const StaticScene& body, const SolveCommand& command,
+                             const Equilibrium& equilibrium) {
+  if (command.modes == 0) return {};
+  std::vector<double> inertia;
+  for (std::size_t i = 0; i < body.mass.size(); ++i)
+    inertia.push_back(sphere_inertia(body.mass[i], body.specimen.radius[i]));
+  return lowest_modes(body.network, body.conditions.constraints, body.mass, inertia, command.modes,
+                      command.rotations == "finite" ? &equilibrium : nullptr);
+}
+
+std::vector<double> moved(const Specimen& specimen, const std::vector<Vector>& displacement,
+                          double scale) {
+  std::vector<double> place;
+  for (std::size_t i = 0; i < specimen.size(); ++i) {
+    const Vector p = specimen.position[i] + scale * displacement[i];
+    place.insert(place.end(), {p.x, p.y, p.z});
+  }
+  return place;
+}
+
+void write_trajectories(const std::string& directory, const StaticScene& body,
+                        const Equilibrium& equilibrium, const std::vector<Mode>& modes) {
+  TrajectoryWriter trajectory(directory + "/trajectory.h5", body.specimen);
+  const auto position = moved(body.specimen, equilibrium.displacement, 1);
+  trajectory.write_frame(0, body.time,
+                         {{"position", 3, position.data()},
+                          {"displacement", 3, &equilibrium.displacement.data()->x},
+                          {"rotation", 3, &equilibrium.rotation.data()->x},
+                          {"reaction", 3, &equilibrium.reaction.data()->x}});
+  if (modes.empty()) return;
+  // Each mode is a frame, drawn with a tenth of the body's size.
+  TrajectoryWriter shapes(directory + "/modes.h5", body.specimen);
+  const double size = norm(body.specimen.domain.upper - body.specimen.domain.lower);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const auto shape = moved(body.specimen, modes[m].displacement, 0.1 * size);
+    shapes.write_frame(static_cast<std::int64_t>(m), static_cast<double>(m),
+                       {{"position", 3, shape.data()},
+                        {"displacement", 3, &modes[m].displacement.data()->x},
+                        {"rotation", 3, &modes[m].rotation.data()->x}});
+  }
+}
+
+/// What the scene asks for and a static solution leaves out.
+std::vector<std::string> notes_of(const Setup& setup, double largest_strain,
+                                  const Equilibrium& equilibrium) {
+  std::vector<std::string> notes;
+  if (setup.plasticity && largest_strain > setup.plasticity->yield_strain)
+    notes.push_back(fmt::format(
+        "the solution is elastic, but bonds would have yielded: their largest equivalent strain is "
+        "{:.3g}, the yield strain {:.3g}",
+        largest_strain, setup.plasticity->yield_strain));
+  if (setup.rupture) {
+    const double bound = std::min(setup.rupture->elastic_strain.value_or(largest_strain),
+                                  setup.rupture->strain.value_or(largest_strain));
+    if (largest_strain > bound)
+      notes.push_back(fmt::format(
+          "the solution is elastic, but bonds would have broken: their largest equivalent strain "
+          "is {:.3g}, the rupture strain {:.3g}",
+          largest_strain, bound));
+  }
+  if (equilibrium.unstable)
+    notes.emplace_back("the equilibrium is unstable: the body would buckle");
+  return notes;
+}
+
+}  // namespace
+
+void solve_scene(const SolveCommand& command) {
+  if (command.threads > 0) omp_set_num_threads(command.threads);
+  const Scene scene = read_scene(command.scene);
+  const std::string directory =
+      command.output.empty() ? std::filesystem::path(command.scene).stem().string() + ".results"
+                             : command.output;
+  std::map<std::string, double> seconds;
+  auto start = Clock::now();
+  const auto lap = [&](const char* phase) {
+    seconds[phase] = seconds_since(start);
+    start = Clock::now();
+  };
+  StaticScene body;
+  set_up(scene, body);
+  lap("set-up");
+  prepare_directory(directory);
+  fmt::print("{}: {} elements, {} bonds, {} rotations, at {:.4g} s -> {}\n", scene.title,
+             body.specimen.size(), body.network.bonds.size(), command.rotations, body.time,
+             directory);
+  std::fflush(stdout);
+
+  Equilibrium equilibrium;
+  std::vector<Mode> modes;
+  try {
+    equilibrium = find_equilibrium(body, command);
+    lap("equilibrium");
+    modes = find_modes(body, command, equilibrium);
+    lap("modes");
+  } catch (const InputError& error) {
+    throw InputError(scene.path + ": " + error.what());
+  }
+  write_trajectories(directory, body, equilibrium, modes);
+  lap("output");
+
+  const double largest_strain =
+      equilibrium.bond_strain.empty()
+          ? 0.0
+          : *std::max_element(equilibrium.bond_strain.begin(), equilibrium.bond_strain.end());
+  Json summary;
+  summary["solidem"] = version();
+  summary["scene"] = command.scene;
+  summary["rotations"] = command.rotations;
+  summary["elements"] = body.specimen.size();
+  summary["bonds"] = body.network.bonds.size();
+  summary["time"] = body.time;
+  summary["method"] = equilibrium.iterations > 1 ? "conjugate gradients" : "factorisation";
+  summary["iterations"] = equilibrium.iterations;
+  if (command.rotations == "finite") {
+    summary["load_steps"] = equilibrium.load_steps;
+    summary["corrections"] = equilibrium.corrections;
+    summary["unstable"] = equilibrium.unstable;
+  }
+  summary["residual"] = equilibrium.residual;
+  summary["energy"] = {{"elastic_energy", equilibrium.energy}};
+  summary["largest_bond_strain"] = largest_strain;
+  fmt::print("elastic energy {:.6g} J, residual {:.2g}, largest bond strain {:.3g}\n",
+             equilibrium.energy, equilibrium.residual, largest_strain);
+  if (scene.setup.gauge) {
+    const GaugeMeasure gauge = measure_gauge(body.network, equilibrium, *scene.setup.gauge);
+    const double lateral = 0.5 * (gauge.lateral_strain[0] + gauge.lateral_strain[1]);
+    summary["gauge"] = {{"stress", gauge.stress},
+                        {"strain", gauge.strain},
+                        {"lateral_strain", lateral},
+                        {"lateral_strains", gauge.lateral_strain}};
+    fmt::print("gauge: stress {:.6g} Pa, strain {:.6g}, lateral strain {:.6g}\n", gauge.stress,
+               gauge.strain, lateral);
+  }
+  for (const GripParameters& grip : scene.setup.grips) {
+    const GripAction action = grip_action(select(grip.region, body.specimen), body.conditions,
+                                          body.specimen, equilibrium);
+    summary["grips"][grip.name] = {{"force", json_of(action.force)},
+                                   {"moment", json_of(action.moment)},
+                                   {"displacement", json_of(action.displacement)}};
+    fmt::print(
+        "grip {}: force ({:.6g}, {:.6g}, {:.6g}) N, displacement ({:.4g}, {:.4g}, {:.4g}) m\n",
+        grip.name, action.force.x, action.force.y, action.force.z, action.displacement.x,
+        action.displacement.y, action.displacement.z);
+  }
+  for (const Sensor& sensor : scene.setup.sensors) {
+    const auto e = static_cast<std::size_t>(nearest_element(body.specimen, sensor.point));
+    summary["sensors"][sensor.name] = {
+        {"position", json_of(body.specimen.position[e] + equilibrium.displacement[e])},
+        {"displacement", json_of(equilibrium.displacement[e])}};
+  }
+  for (const Mode& mode : modes) {
+    summary["frequencies"].push_back(mode.frequency);
+    summary["mode_residuals"].push_back(mode.residual);
+    fmt::print("mode {}: {:.6g} Hz\n", summary["frequencies"].size(), mode.frequency);
+  }
+  for (const std::string& note : notes_of(scene.setup, largest_strain, equilibrium)) {
+    summary["notes"].push_back(note);
+    fmt::print("note: {}\n", note);
+  }
+  summary["wall_seconds"] = seconds;
+  summary["peak_memory_bytes"] = peak_memory_bytes();
+  summary["threads"] = omp_get_max_threads();
+  summary["hardware"] = to_json(hardware());
+  write_summary(directory + "/summary.json", summary);
+}
+
+}  // namespace solidem
