@@ -69,18 +69,58 @@ Json conduction_of(const Simulation& simulation) {
           {"integrator", name_of(setup.conduction->integrator)}};
 }
 
+Json to_json(const Vector& v) {
+  return {v.x, v.y, v.z};
+}
+
+Json anisotropy_of(const Anisotropy& grain) {
+  const auto& shear = grain.transverse_shear_modulus;
+  return {{"grain", to_json(grain.axes.longitudinal)},
+          {"radial", to_json(grain.axes.radial)},
+          {"radial_modulus", grain.radial_modulus},
+          {"tangential_modulus", grain.tangential_modulus},
+          {"transverse_shear_modulus", shear ? Json(*shear) : Json(nullptr)},
+          {"exponent", grain.exponent}};
+}
+
+Json fibres_of(const Fibres& fibres) {
+  return {{"direction", to_json(fibres.rule.direction)},
+          {"reach", fibres.rule.reach},
+          {"alignment", fibres.rule.alignment},
+          {"stiffness_ratio", fibres.stiffness_ratio}};
+}
+
 Json laws_of(const Simulation& simulation) {
   const Setup& setup = simulation.setup();
   Json laws = Json::object();
   if (setup.beams) {
     const BeamParameters& beams = *setup.beams;
     const bool pair = beams.radius_from == BeamParameters::RadiusFrom::pair;
-    laws["beams"] = {{"young_modulus", beams.young_modulus},
+    laws["beams"] = {{"law", name_of(beams.law)},
+                     {"young_modulus", beams.young_modulus},
                      {"shear_modulus", beams.shear_modulus},
+                     {"shear_coefficient", beams.shear_coefficient},
                      {"radius_ratio", beams.radius_ratio},
                      {"radius_from", pair ? "pair" : "mean"},
                      {"mean_radius", mean_radius(simulation.model().specimen())}};
   }
+  if (setup.beams && setup.beams->anisotropy)
+    laws["beams"]["anisotropy"] = anisotropy_of(*setup.beams->anisotropy);
+  if (setup.beams && setup.beams->fibres) laws["beams"]["fibres"] = fibres_of(*setup.beams->fibres);
+  const auto number = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  if (setup.plasticity)
+    laws["plasticity"] = {{"law", name_of(setup.plasticity->law)},
+                          {"yield_strain", setup.plasticity->yield_strain},
+                          {"hardening_ratio", setup.plasticity->hardening_ratio}};
+  if (setup.rupture)
+    laws["rupture"] = {{"elastic_strain", number(setup.rupture->elastic_strain)},
+                       {"strain", number(setup.rupture->strain)},
+                       {"minimal_bonds", setup.rupture->minimal_bonds}};
+  if (setup.contact)
+    laws["contact"] = {{"stiffness_ratio", setup.contact->stiffness_ratio},
+                       {"rebonding_pressure", number(setup.contact->rebonding_pressure)}};
   if (setup.conduction) laws["conduction"] = conduction_of(simulation);
   return laws;
 }

@@ -65,6 +65,8 @@ Plan make_plan(const Setup& setup, bool periodic) {
   if (setup.beams) {
     const BeamDemands demands = demands_of(setup);
     std::string reason = "[beams]";
+    if (setup.beams->anisotropy) reason += " [beams.anisotropy]";
+    if (setup.beams->fibres) reason += " [beams.fibres]";
     if (setup.plasticity) reason += " [plasticity]";
     plan.effects.push_back({"beams", reason, beam_kernel(demands, periodic)});
     ask(plan, "beams", Beams::columns(demands, periodic));

@@ -235,7 +235,7 @@ OrthotropicCalibration calibrate_orthotropic(
     }
     best = std::move(next);
     damping = std::max(damping / 5, 1e-6);
-    if (gain < 1e-4 * before || search.misfit(best) < 1e-4) break;
+    if (gain < 2e-3 * before || search.misfit(best) < 1e-4) break;
   }
 
   result.beams = absolute(best.beams);

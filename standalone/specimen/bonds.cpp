@@ -89,6 +89,13 @@ void add_fibres(Specimen& specimen, const FibreRule& rule) {
   specimen.bonds = std::move(all);
 }
 
+std::vector<Pair> bonds_in_contact(const Specimen& specimen) {
+  std::vector<Pair> bonds;
+  std::copy_if(specimen.bonds.begin(), specimen.bonds.end(), std::back_inserter(bonds),
+               [&](const Pair& pair) { return !is_fibre(specimen, pair); });
+  return bonds;
+}
+
 std::vector<std::int32_t> count_bonds(const Specimen& specimen) {
   std::vector<std::int32_t> count(specimen.size(), 0);
   for (const Pair& pair : specimen.bonds) {

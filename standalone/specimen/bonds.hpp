@@ -38,6 +38,9 @@ std::vector<Pair> find_fibres(const Specimen& specimen, const FibreRule& rule);
 /// Adds fibres to the specimen's bonds; those it has already are not doubled.
 void add_fibres(Specimen& specimen, const FibreRule& rule);
 
+/// The specimen's bonds that are no fibres.
+std::vector<Pair> bonds_in_contact(const Specimen& specimen);
+
 /// Number of bonds of each element.
 std::vector<std::int32_t> count_bonds(const Specimen& specimen);
 
