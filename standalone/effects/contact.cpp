@@ -2,7 +2,6 @@
 #include "effects/contact.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "laws/contact.hpp"
 #include "neighbours/linked_cells.hpp"
@@ -51,6 +50,13 @@ void ElementContacts::search(const double* pose) {
   std::sort(exposed_.begin(), exposed_.end());
   exposed_.erase(std::unique(exposed_.begin(), exposed_.end()), exposed_.end());
   broken_then_ = rupture_.broken().size();
+  const std::vector<Candidate> before = std::move(candidates_);
+  const auto was_candidate = [&before](const Pair& pair) {
+    const auto at = std::lower_bound(
+        before.begin(), before.end(), pair,
+        [](const Candidate& candidate, const Pair& p) { return candidate.pair < p; });
+    return at != before.end() && at->pair == pair;
+  };
   candidates_.clear();
   searched_at_.clear();
   if (exposed_.empty()) return;
@@ -91,7 +97,7 @@ void ElementContacts::search(const double* pose) {
     Candidate candidate{{i, j}, radii, 0, 0, {}};
     if (const auto found = once_bonded.find({i, j}); found != once_bonded.end()) {
       const BrokenBond& bond = *found->second;
-      candidate.distance = contact_distance(bond.rest_length, radii);
+      candidate.distance = bond.contact_distance;
       candidate.stiffness = parameters_.stiffness_ratio * bond.axial_stiffness;
       candidate.section = bond.section;
     } else {
@@ -100,6 +106,10 @@ void ElementContacts::search(const double* pose) {
       candidate.section = beam_area(section);
       candidate.stiffness =
           parameters_.stiffness_ratio * section.young_modulus * candidate.section / radii;
+      if (const auto known = nearer_.find({i, j}); known != nearer_.end())
+        candidate.distance = known->second;
+      else if (const double now = norm(to); now < radii && !was_candidate({i, j}))
+        candidate.distance = nearer_[{i, j}] = now;
     }
     candidate.shift = to - (centre_of(pose, j) - centre_of(pose, i));
     if (!specimen.domain.is_periodic()) candidate.shift = {};
@@ -175,9 +185,56 @@ void ElementContacts::observe(const Model& model, Observation& observation) cons
     observation.add("bonds_formed", static_cast<double>(bonded_anew_));
 }
 
+std::vector<double> ElementContacts::save() const {
+  const auto number = [](auto count) { return static_cast<double>(count); };
+  std::vector<double> saved{
+      number(bonded_anew_),       number(broken_then_),   skin_,
+      number(candidates_.size()), number(nearer_.size()), number(exposed_.size())};
+  const auto put = [&saved](std::initializer_list<double> values) {
+    saved.insert(saved.end(), values);
+  };
+  for (const Candidate& c : candidates_)
+    put({number(c.pair.i), number(c.pair.j), c.distance, c.stiffness, c.section, c.shift.x,
+         c.shift.y, c.shift.z});
+  for (const auto& [pair, distance] : nearer_) put({number(pair.i), number(pair.j), distance});
+  for (std::size_t k = 0; k < exposed_.size(); ++k)
+    put({number(exposed_[k]), searched_at_[k].x, searched_at_[k].y, searched_at_[k].z});
+  return saved;
+}
+
 void ElementContacts::restore(const std::vector<double>& saved) {
-  bonded_anew_ = static_cast<std::size_t>(saved.at(0));
-  search(model_.data(columns::pose));
+  std::size_t at = 0;
+  const auto next = [&] { return saved.at(at++); };
+  const auto count = [&] { return static_cast<std::size_t>(next()); };
+  const auto element = [&] { return static_cast<std::int32_t>(next()); };
+  const auto vector = [&] {
+    const double x = next(), y = next(), z = next();
+    return Vector{x, y, z};
+  };
+  bonded_anew_ = count();
+  broken_then_ = count();
+  skin_ = next();
+  candidates_.resize(count());
+  const std::size_t nearer = count();
+  exposed_.resize(count());
+  searched_at_.resize(exposed_.size());
+  for (Candidate& c : candidates_) {
+    c.pair.i = element();
+    c.pair.j = element();
+    c.distance = next();
+    c.stiffness = next();
+    c.section = next();
+    c.shift = vector();
+  }
+  nearer_.clear();
+  for (std::size_t k = 0; k < nearer; ++k) {
+    const std::int32_t i = element(), j = element();
+    nearer_[{i, j}] = next();
+  }
+  for (std::size_t k = 0; k < exposed_.size(); ++k) {
+    exposed_[k] = element();
+    searched_at_[k] = vector();
+  }
 }
 
 }  // namespace solidem

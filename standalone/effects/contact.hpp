@@ -3,6 +3,7 @@
 #define SOLIDEM_EFFECTS_CONTACT_HPP
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "effects/rupture.hpp"
@@ -12,8 +13,9 @@ namespace solidem {
 /// Elements that lost bonds push each other when they touch: laws/contact.hpp. Where no bond has
 /// broken nothing is looked for.
 ///
-/// Two elements whose bond broke touch at the distance they had then if they overlapped, all others
-/// where their spheres meet. Above a pressure they are bonded anew, free of load.
+/// Two elements touch where their spheres meet; if their bond broke, where laws/contact.hpp says;
+/// and if they stood nearer when both had lost a bond for the first time, where they stood: nothing
+/// is thrown apart by being looked at. Above a pressure they are bonded anew, free of load.
 class ElementContacts : public Effect {
  public:
   ElementContacts(const ContactParameters& parameters, const Beams& beams, Rupture& rupture,
@@ -23,7 +25,7 @@ class ElementContacts : public Effect {
   void advance(Model& model, const Step& step) override;
   /// Forces of the contacts, their energy and their number.
   void observe(const Model& model, Observation& observation) const override;
-  std::vector<double> save() const override { return {static_cast<double>(bonded_anew_)}; }
+  std::vector<double> save() const override;
   void restore(const std::vector<double>& saved) override;
 
  private:
@@ -46,6 +48,7 @@ class ElementContacts : public Effect {
   Rupture& rupture_;
   Model& model_;
   std::vector<Candidate> candidates_;  ///< sorted by pair
+  std::map<Pair, double> nearer_;      ///< contact distance of pairs that were nearer when found
   std::vector<std::int32_t> exposed_;  ///< elements that lost a bond, sorted
   std::vector<Vector> searched_at_;    ///< where they stood when candidates were sought
   std::size_t broken_then_ = 0;        ///< bonds broken by then

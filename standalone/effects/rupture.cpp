@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "laws/contact.hpp"
+
 namespace solidem {
 
 Rupture::Rupture(const RuptureParameters& parameters, const Beams& beams, Model& model)
@@ -40,8 +42,12 @@ void Rupture::break_bond(Pair pair) {
   const Beams::Bond bond = beams_.bond(model_, pair.i, pair.j, here.row, here.lane);
   fracture_energy_ += bond.energy();
   const BeamRigidity<double>& rigidity = bond.rigidity();
-  broken_.push_back(
-      {pair, bond.rest_length(), rigidity.axial / bond.rest_length(), bond.section()});
+  const std::vector<double>& radius = model_.specimen().radius;
+  const double radii =
+      radius[static_cast<std::size_t>(pair.i)] + radius[static_cast<std::size_t>(pair.j)];
+  broken_.push_back({pair,
+                     contact_distance(bond.rest_length(), bond.response.history.extension, radii),
+                     rigidity.axial / bond.rest_length(), bond.section()});
   slots.set_neighbour(here, pair.i);
   slots.set_neighbour(there, pair.j);
   Beams::release(model_, here.row, here.lane);
@@ -100,7 +106,7 @@ std::vector<double> Rupture::save() const {
                             static_cast<double>(removed_.size())};
   for (const BrokenBond& bond : broken_)
     saved.insert(saved.end(), {static_cast<double>(bond.pair.i), static_cast<double>(bond.pair.j),
-                               bond.rest_length, bond.axial_stiffness, bond.section});
+                               bond.contact_distance, bond.axial_stiffness, bond.section});
   for (const std::int32_t element : removed_) saved.push_back(element);
   const std::int32_t* neighbours = model_.slots().neighbours();
   saved.insert(saved.end(), neighbours, neighbours + model_.slots().rows() * lanes);
@@ -117,7 +123,7 @@ void Rupture::restore(const std::vector<double>& saved) {
   for (BrokenBond& bond : broken_) {
     bond.pair.i = static_cast<std::int32_t>(next());
     bond.pair.j = static_cast<std::int32_t>(next());
-    bond.rest_length = next();
+    bond.contact_distance = next();
     bond.axial_stiffness = next();
     bond.section = next();
   }

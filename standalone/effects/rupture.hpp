@@ -12,9 +12,9 @@ namespace solidem {
 /// A bond that broke.
 struct BrokenBond {
   Pair pair;
-  double rest_length;      ///< m
-  double axial_stiffness;  ///< E S / l, N/m
-  double section;          ///< S, m²
+  double contact_distance;  ///< at which its elements touch from now on, m
+  double axial_stiffness;   ///< E S / l, N/m
+  double section;           ///< S, m²
 };
 
 /// Takes bonds away that reached their limit in the step, and elements that are left with too few.

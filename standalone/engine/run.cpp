@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "effects/beams.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "effects/rupture.hpp"
 #include "engine/heat.hpp"
 #include "model/error.hpp"
 #include "output/checkpoint.hpp"
@@ -64,6 +66,47 @@ nlohmann::ordered_json figures_of(const HeatIntegrator& integrator) {
           {"implicit_steps", s.implicit_steps}};
 }
 
+/// What a frame shows of the bonds where they may flow or break: in the order of `pairs`, the bonds
+/// at the start.
+struct BondFields {
+  bool is_wanted = false;
+  std::vector<double> stress;             ///< σ_e, Pa
+  std::vector<double> plastic_strain;     ///< κ
+  std::vector<double> intact;             ///< 1, or 0 of a bond that broke
+  std::vector<double> broken_of_element;  ///< share of the bonds that an element has lost
+};
+
+BondFields bond_fields(const Simulation& simulation, const std::vector<Pair>& pairs) {
+  BondFields fields;
+  fields.is_wanted = simulation.setup().plasticity || simulation.setup().rupture;
+  if (!fields.is_wanted) return fields;
+  const Model& model = simulation.model();
+  std::vector<double> had(model.elements(), 0);
+  fields.broken_of_element.assign(model.elements(), 0);
+  for (const Pair& pair : pairs) {
+    const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+    const auto place = model.slots().find(pair.i, pair.j);
+    fields.intact.push_back(place ? 1 : 0);
+    had[i] += 1;
+    had[j] += 1;
+    if (!place) {
+      fields.broken_of_element[i] += 1;
+      fields.broken_of_element[j] += 1;
+      fields.stress.push_back(0);
+      fields.plastic_strain.push_back(0);
+      continue;
+    }
+    const Beams::Bond bond =
+        simulation.beams()->bond(model, pair.i, pair.j, place->row, place->lane);
+    const double modulus = bond.rigidity().axial / bond.section();
+    fields.stress.push_back(modulus * bond.response.strain);
+    fields.plastic_strain.push_back(bond.response.history.strain);
+  }
+  for (std::size_t i = 0; i < had.size(); ++i)
+    if (had[i] > 0) fields.broken_of_element[i] /= had[i];
+  return fields;
+}
+
 /// First multiple of an interval after a step.
 std::int64_t next_multiple(std::int64_t step, std::int64_t interval) {
   return (step / interval + 1) * interval;
@@ -74,6 +117,10 @@ class Recorder {
   Recorder(Simulation& simulation, const RunOptions& options)
       : simulation_(simulation), options_(options), seconds_(options.wall_seconds) {
     prepare_directory(options.directory);
+    // Bonds are drawn where they carry loads, those that have broken as well; without motion their
+    // list is not worth its memory.
+    if (simulation.model().has(columns::pose) && simulation.setup().output.frames > 0)
+      bonds_ = simulation.model().slots().pairs();
     if (options.resume) restore();
     first_step_ = simulation.step();
   }
@@ -131,14 +178,13 @@ class Recorder {
   void open() {
     const Phase phase(seconds_["output"]);
     const HistoryRow row = simulation_.observe();
-    // Bonds are drawn where they carry loads; without motion their list is not worth its memory.
     const Model& model = simulation_.model();
     Specimen with_bonds;
-    if (model.has(columns::pose)) {
+    if (!bonds_.empty()) {
       with_bonds = model.specimen();
-      with_bonds.bonds = model.slots().pairs();
+      with_bonds.bonds = bonds_;
     }
-    const Specimen& specimen = model.has(columns::pose) ? with_bonds : model.specimen();
+    const Specimen& specimen = bonds_.empty() ? model.specimen() : with_bonds;
     if (options_.resume) {
       history_.emplace(HistoryWriter::resume(path("history.csv"), names_of(row), first_step_));
       if (simulation_.setup().output.frames > 0)
@@ -181,6 +227,15 @@ class Recorder {
     }
     if (model.has(columns::temperature))
       fields.push_back({"temperature", 1, model.data(columns::temperature)});
+    if (model.has(columns::plastic_work))
+      fields.push_back({"plastic_work", 1, model.data(columns::plastic_work)});
+    const BondFields bonds = bond_fields(simulation_, bonds_);
+    if (bonds.is_wanted) {
+      fields.push_back({"broken_bonds", 1, bonds.broken_of_element.data()});
+      fields.push_back({"stress", 1, bonds.stress.data(), true});
+      fields.push_back({"plastic_strain", 1, bonds.plastic_strain.data(), true});
+      fields.push_back({"intact", 1, bonds.intact.data(), true});
+    }
     trajectory_->write_frame(simulation_.step(), simulation_.time(), fields);
   }
 
@@ -218,6 +273,11 @@ class Recorder {
     summary["wall_seconds"] = seconds_;
     summary["nanoseconds_per_bond_step"] =
         bond_steps > 0 ? nlohmann::ordered_json(seconds_["steps"] * 1e9 / bond_steps) : nullptr;
+    if (const Rupture* rupture = simulation_.rupture()) {
+      summary["bonds_broken"] = rupture->broken().size();
+      summary["elements_removed"] = rupture->removed();
+      if (!rupture->broken().empty()) summary["first_rupture"] = {{"time", rupture->first_time()}};
+    }
     if (const Heat* heat = simulation_.heat()) {
       summary["conduction"] = {{"law", name_of(simulation_.setup().conduction->law)},
                                {"area_factor", heat->area_factor()}};
@@ -237,6 +297,7 @@ class Recorder {
   Simulation& simulation_;
   const RunOptions& options_;
   std::map<std::string, double> seconds_;
+  std::vector<Pair> bonds_;  ///< at the start, where they are drawn
   std::int64_t first_step_ = 0;
   HistoryRow last_row_{};
   std::optional<HistoryWriter> history_;

@@ -12,10 +12,20 @@
 
 namespace solidem {
 
-/// d_c of two elements whose bond broke, m. `radii`: sum of both.
+/// d_c of two elements whose bond broke, m. `rest_length`: of the bond when it was made.
+/// `plastic_extension`: negative where it was shortened. `radii`: sum of both.
+template <class Real>
+constexpr Real contact_distance(const Real& rest_length, const Real& plastic_extension,
+                                const Real& radii) {
+  const Real shortened = rest_length + plastic_extension;
+  const Real length = select(greater(rest_length, shortened), shortened, rest_length);
+  return select(greater(radii, length), length, radii);
+}
+
+/// The same where nothing has flowed.
 template <class Real>
 constexpr Real contact_distance(const Real& rest_length, const Real& radii) {
-  return select(greater(radii, rest_length), rest_length, radii);
+  return contact_distance(rest_length, Real{0.0}, radii);
 }
 
 /// Force on i, N; `stiffness` k in N/m, chord from i to j. A chord of length zero gives no force.

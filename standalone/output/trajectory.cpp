@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <optional>
 
 #include "model/error.hpp"
 #include "output/disk.hpp"
@@ -109,6 +110,7 @@ Hdf5File reopen(const std::string& path) {
 TrajectoryWriter::TrajectoryWriter(const std::string& path, const Specimen& specimen)
     : path_(path),
       elements_(specimen.size()),
+      bonds_(specimen.bonds.size()),
       lines_(lines_to_draw(specimen)),
       file_(start(path, specimen)) {
   write_index();
@@ -117,6 +119,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const Specimen& spec
 TrajectoryWriter::TrajectoryWriter(Continuation, const std::string& path, const Specimen& specimen)
     : path_(path),
       elements_(specimen.size()),
+      bonds_(specimen.bonds.size()),
       lines_(lines_to_draw(specimen)),
       file_(reopen(path)) {}
 
@@ -126,7 +129,7 @@ TrajectoryWriter TrajectoryWriter::resume(const std::string& path, const Specime
   writer.insist_on_same(specimen);
   const Hdf5Group group = writer.file_.group("frames");
   for (const std::string& name : group.names()) {
-    Frame frame = read_frame(group.group(name), name, specimen.size());
+    Frame frame = writer.read_frame(group.group(name), name);
     if (frame.step <= step)
       writer.frames_.push_back(std::move(frame));
     else
@@ -138,15 +141,23 @@ TrajectoryWriter TrajectoryWriter::resume(const std::string& path, const Specime
 }
 
 TrajectoryWriter::Frame TrajectoryWriter::read_frame(const Hdf5Group& group,
-                                                     const std::string& name,
-                                                     std::size_t elements) {
+                                                     const std::string& name) const {
   Frame frame{name, group.integer_attribute("step"), group.number_attribute("time"), {}};
+  const auto read = [&](const Hdf5Group& from, const std::string& field, bool of_bonds) {
+    const std::vector<std::size_t> shape = from.shape(field);
+    FrameField found{field, shape.size() == 2 ? shape[1] : 1, of_bonds};
+    if (shape.empty() || shape.size() > 2 || shape.front() != rows(found))
+      throw InputError(fmt::format("{}/{}: has shape ({}), expected {} rows", from.where(), field,
+                                   numbers(shape), rows(found)));
+    frame.fields.push_back(std::move(found));
+  };
   for (const std::string& field : group.names()) {
-    const std::vector<std::size_t> shape = group.shape(field);
-    if (shape.empty() || shape.size() > 2 || shape.front() != elements)
-      throw InputError(fmt::format("{}/{}: has shape ({}), expected {} rows", group.where(), field,
-                                   numbers(shape), elements));
-    frame.fields.push_back({field, shape.size() == 2 ? shape[1] : 1});
+    if (field != "bonds") {
+      read(group, field, false);
+      continue;
+    }
+    const Hdf5Group of_bonds = group.group(field);
+    for (const std::string& bond_field : of_bonds.names()) read(of_bonds, bond_field, true);
   }
   return frame;
 }
@@ -175,17 +186,22 @@ void TrajectoryWriter::write_frame(std::int64_t step, double time,
   Frame frame{fmt::format("{:06}", number), step, time, {}};
   std::uint64_t bytes = room_for_structure;
   for (const Field& field : fields) {
-    frame.fields.push_back({field.name, static_cast<std::size_t>(field.components)});
-    bytes += elements_ * static_cast<std::size_t>(field.components) * sizeof(double);
+    frame.fields.push_back(
+        {field.name, static_cast<std::size_t>(field.components), field.of_bonds});
+    bytes += rows(frame.fields.back()) * frame.fields.back().components * sizeof(double);
   }
   reserve_space(path_, bytes, path_, what_is_safe());
   try {
     const Hdf5Group group = file_.make_group("frames/" + frame.name);
     group.set_attribute("step", step);
     group.set_attribute("time", time);
-    for (std::size_t k = 0; k < fields.size(); ++k)
-      group.write(fields[k].name, fields[k].values,
-                  shape_of(elements_, frame.fields[k].components));
+    std::optional<Hdf5Group> of_bonds;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      if (fields[k].of_bonds && !of_bonds) of_bonds.emplace(group.make_group("bonds"));
+      (fields[k].of_bonds ? *of_bonds : group)
+          .write(fields[k].name, fields[k].values,
+                 shape_of(rows(frame.fields[k]), frame.fields[k].components));
+    }
     file_.flush();
   } catch (const RunError& error) {
     throw RunError(fmt::format("{}; {}", error.what(), what_is_safe()));
@@ -229,14 +245,17 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
       place = folder + field.name;
       continue;
     }
+    if (field.of_bonds && lines_ == 0) continue;  // there is nothing to draw them on
     const char* const type = field.components == 1   ? "Scalar"
                              : field.components == 3 ? "Vector"
                              : field.components == 9 ? "Tensor"
                                                      : "Matrix";
     attributes += fmt::format(
-        "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
-        escaped(field.name), type,
-        item(folder + field.name, shape_of(elements_, field.components), real));
+        "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
+        escaped((field.of_bonds ? "bond " : "") + field.name), type,
+        field.of_bonds ? "Cell" : "Node",
+        item(folder + (field.of_bonds ? "bonds/" : "") + field.name,
+             shape_of(rows(field), field.components), real));
   }
   text += fmt::format("        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
                       item(place, {elements_, 3}, real));

@@ -6,7 +6,7 @@
 //                    /elements/index (N)                                     only if points are
 //                    drawn /bonds/pairs (B,2)                                      absent without
 //                    bonds /frames/000000 ...  attributes step, time; one dataset (N) or (N,c) per
-//                    field
+//                    field; in a group bonds, one (B) or (B,c) per field of the bonds
 //   trajectory.xdmf  what ParaView opens: one grid for each frame, lines along the bonds (points
 //   where
 //                    there are none or the body is periodic), every field and the radius at the
@@ -25,11 +25,13 @@
 
 namespace solidem {
 
-/// A quantity of each element. The field "position" says where the elements are drawn.
+/// A quantity of each element, or of each bond of the specimen. The field "position" of the
+/// elements says where they are drawn.
 struct Field {
   std::string name;
   int components;        ///< 1 a number, 3 a vector, or any other count
-  const double* values;  ///< N × components, all of an element side by side, SI
+  const double* values;  ///< N (or B) × components, all of an element side by side, SI
+  bool of_bonds = false;
 };
 
 /// Writes a trajectory, frame by frame.
@@ -54,6 +56,7 @@ class TrajectoryWriter {
   struct FrameField {
     std::string name;
     std::size_t components;
+    bool of_bonds;
   };
   struct Frame {
     std::string name;
@@ -64,14 +67,15 @@ class TrajectoryWriter {
 
   struct Continuation {};
   TrajectoryWriter(Continuation, const std::string& path, const Specimen& specimen);
-  static Frame read_frame(const Hdf5Group& group, const std::string& name, std::size_t elements);
+  Frame read_frame(const Hdf5Group& group, const std::string& name) const;
+  std::size_t rows(const FrameField& field) const { return field.of_bonds ? bonds_ : elements_; }
   void insist_on_same(const Specimen& specimen) const;
   std::string what_is_safe() const;
   std::string xdmf_of(const Frame& frame) const;
   void write_index() const;
 
   std::string path_;
-  std::size_t elements_, lines_;  // lines drawn: bonds, or 0 to draw points
+  std::size_t elements_, bonds_, lines_;  // lines drawn: bonds, or 0 to draw points
   Hdf5File file_;
   std::vector<Frame> frames_;
 };

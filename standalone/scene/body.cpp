@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "effects/beams.hpp"
 #include "engine/heat.hpp"
+#include "laws/rigid_sphere.hpp"
 #include "output/hdf5.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/report.hpp"
@@ -30,16 +32,35 @@ Specimen make_body(const Scene& scene, const ReportProgress& progress) {
 
 namespace {
 
-/// Masses and moments of inertia of all elements.
-void write_mechanics(Hdf5File& file, const Model& model) {
+/// Masses and moments of inertia of all elements; rigidity, radius and G / E of all beams, in the
+/// order of the bonds.
+void write_mechanics(Hdf5File& file, const Simulation& simulation) {
+  const Model& model = simulation.model();
   const Hdf5Group mechanics = file.make_group("mechanics");
-  std::vector<double> mass(model.elements()), inertia(model.elements());
+  const std::vector<double>& radius = model.specimen().radius;
+  std::vector<double> mass, inertia;
   for (std::size_t i = 0; i < model.elements(); ++i) {
-    mass[i] = 1 / model.data(columns::inverse_mass)[i];
-    inertia[i] = 1 / model.data(columns::inverse_inertia)[i];
+    mass.push_back(1 / model.data(columns::inverse_mass)[i]);
+    inertia.push_back(sphere_inertia(mass[i], radius[i]));
   }
   mechanics.write("mass", mass);
   mechanics.write("inertia", inertia);
+
+  const BeamProperties& properties = simulation.beams()->properties();
+  std::vector<double> rigidity, beam_radius, shear_ratio;
+  const std::vector<Pair> pairs = model.slots().pairs();
+  for (const Pair& pair : pairs) {
+    const BeamSection<double> section = properties.section(model.specimen(), pair);
+    const BeamRigidity<double> stiffness =
+        properties.rigidity(section, norm(rest_chord(model.specimen(), pair)));
+    rigidity.insert(rigidity.end(),
+                    {stiffness.axial, stiffness.bending, stiffness.shear, stiffness.torsion});
+    beam_radius.push_back(section.radius);
+    shear_ratio.push_back(section.shear_modulus / section.young_modulus);
+  }
+  mechanics.write("rigidity", rigidity.data(), {pairs.size(), 4});
+  mechanics.write("radius", beam_radius);
+  mechanics.write("shear_ratio", shear_ratio);
 }
 
 std::vector<double> of_all(const std::vector<ElementValue>& values,
@@ -118,7 +139,7 @@ void write_prepared(const std::string& path, const Simulation& simulation) {
   if (path.size() < 3 || path.substr(path.size() - 3) != ".h5") return;
 
   Hdf5File file = Hdf5File::open_for_writing(path);
-  if (model.has(columns::inverse_mass)) write_mechanics(file, model);
+  if (model.has(columns::inverse_mass)) write_mechanics(file, simulation);
   if (model.has(columns::inverse_heat_capacity)) write_conduction(file, simulation);
   file.close();
 }
