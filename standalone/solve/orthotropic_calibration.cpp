@@ -223,19 +223,18 @@ OrthotropicCalibration calibrate_orthotropic(
   };
   Evaluation best = search.evaluate(relative(start), nullptr);
   note(best);
+  // A long valley may lie before the lowest place: one short step is no reason to stop.
   double damping = 1e-2;
-  for (int iteration = 0; iteration < request.iterations && damping < 1e3; ++iteration) {
+  int stalled = 0;
+  for (int iteration = 0; iteration < request.iterations && stalled < 3; ++iteration) {
     const double before = search.misfit(best);
+    if (before < 0.1 * request.tolerance) break;
     Evaluation next = search.evaluate(search.step(best, damping), &best);
     note(next);
     const double gain = before - search.misfit(next);
-    if (!(gain > 0)) {
-      damping *= 10;
-      continue;
-    }
-    best = std::move(next);
-    damping = std::max(damping / 5, 1e-6);
-    if (gain < 2e-3 * before || search.misfit(best) < 1e-4) break;
+    stalled = gain > 2e-3 * before ? 0 : stalled + 1;
+    if (gain > 0) best = std::move(next);
+    damping = gain > 0 ? std::max(damping / 5, 1e-8) : damping * 10;
   }
 
   result.beams = absolute(best.beams);

@@ -25,6 +25,11 @@ struct Expected {
 const Names motion = {"pose",         "velocity",        "angular_velocity",
                       "inverse_mass", "inverse_inertia", "rest_direction",
                       "rest_length"};
+Names united(Names names, const Names& more) {
+  names.insert(more.begin(), more.end());
+  return names;
+}
+
 const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};
 const Names hot_and_cold = {"conduction", "temperature cold", "temperature hot"};
 
@@ -56,6 +61,10 @@ const std::map<std::string, Expected> expected = {
     {"docs/examples/two_materials.toml",
      {{"conduction", "temperature cold", "temperature warm"}, {"conduct"}, heat}},
     {"docs/examples/vibrating_bar.toml", {{"beams"}, {"move_beams"}, motion}},
+    {"docs/examples/wood.toml",
+     {{"beams"},
+      {"move_beams, a rigidity for each bond, periodic"},
+      united(motion, {"bond_rigidity", "image_shift"})}},
 };
 
 std::vector<std::filesystem::path> scenes_in_the_tree() {
