@@ -205,7 +205,7 @@ void insist_on_resistance(const StiffnessSolver& solver, const BondedBody& body,
 }
 
 Balance balance(const BondedBody& body, const std::vector<BeamLoad<double>>& loads,
-                const Eigen::VectorXd& out_of_balance) {
+                const Eigen::VectorXd& out_of_balance, double extent) {
   double squares = 0, stiffness = 0;
   const double per_length = 1 / body.length();
   for (const BeamLoad<double>& load : loads) {
@@ -213,12 +213,14 @@ Balance balance(const BondedBody& body, const std::vector<BeamLoad<double>>& loa
     squares += 2 * dot(load.force, load.force) + dot(m_i, m_i) + dot(m_j, m_j);
   }
   for (const BondState& bond : body.rest()) {
-    const double shear = 6 * bond.rigidity.shear / (bond.rest_length * bond.rest_length);
-    stiffness += 2 * (bond.rigidity.axial * bond.rigidity.axial + shear * shear);
+    const double per_rest_length = 1 / bond.rest_length;
+    const double shear = 6 * bond.rigidity.shear * per_rest_length * per_rest_length;
+    const double of_chord = (bond.rigidity.axial + shear) * extent * per_rest_length;
+    stiffness += 2 * of_chord * of_chord;
   }
   const double scale = squares > 0 ? std::sqrt(squares) : 1;
   return {out_of_balance.norm() / scale,
-          2 * std::numeric_limits<double>::epsilon() * std::sqrt(stiffness) / scale};
+          0.5 * std::numeric_limits<double>::epsilon() * std::sqrt(stiffness) / scale};
 }
 
 Eigen::VectorXd field_of(const Equilibrium& equilibrium, double length) {

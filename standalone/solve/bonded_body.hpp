@@ -76,10 +76,11 @@ void insist_on_resistance(const class StiffnessSolver& solver, const BondedBody&
 /// How well forces are in balance, as shares of the bonds' loads on the elements.
 struct Balance {
   double residual;   ///< force out of balance
-  double round_off;  ///< what of it may be round-off: chords known to 16 digits, times stiffness
+  double round_off;  ///< what of it may be round-off
 };
+/// `extent`: of the lengths whose differences the bonds feel, m.
 Balance balance(const BondedBody& body, const std::vector<BeamLoad<double>>& loads,
-                const Eigen::VectorXd& out_of_balance);
+                const Eigen::VectorXd& out_of_balance, double extent);
 
 /// The displacements and turns of an equilibrium as a field, and those of a field or pose into an
 /// equilibrium.

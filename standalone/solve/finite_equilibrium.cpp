@@ -91,7 +91,9 @@ class Search {
     Eigen::VectorXd force = body_.sum(loads) + share_ * conditions_.load;
     for (Index k = 0; k < force.size(); ++k)
       if (!solver_.is_free(static_cast<std::size_t>(k))) force[k] = 0;
-    how = balance(body_, loads, force);
+    double reach = 4 * body_.length();
+    for (const Vector& u : pose.displacement) reach = std::max(reach, 4 * body_.length() + norm(u));
+    how = balance(body_, loads, force, reach);
     return force;
   }
 

@@ -60,11 +60,13 @@ std::string free_rigid_motions(const BeamNetwork& network, const std::vector<cha
   for (const Pair& pair : network.bonds)
     bonded[static_cast<std::size_t>(pair.i)] = bonded[static_cast<std::size_t>(pair.j)] = 1;
 
-  Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
+  // What a rigid motion does to each degree of freedom that is held, and to each that there is:
+  // springs in one line are not moved by a turn about it.
+  using Square = Eigen::Matrix<double, 6, 6>;
+  Square gram = Square::Zero(), moved = Square::Zero();
   for (std::size_t e = 0; e < specimen.size(); ++e) {
     if (bonded[e] == 0) continue;
     for (int degree = 0; degree < (turns_count ? 6 : 3); ++degree) {
-      if (held[6 * e + static_cast<std::size_t>(degree)] == 0) continue;
       Motion row = Motion::Zero();
       row[degree] = 1;
       if (degree < 3) {
@@ -73,13 +75,16 @@ std::string free_rigid_motions(const BeamNetwork& network, const std::vector<cha
         const Vector arm = (1 / length) * cross(specimen.position[e] - centre, unit);
         row.tail<3>() << arm.x, arm.y, arm.z;
       }
-      gram += row * row.transpose();
+      moved += row * row.transpose();
+      if (held[6 * e + static_cast<std::size_t>(degree)] != 0) gram += row * row.transpose();
     }
   }
-  double largest = gram.diagonal().maxCoeff();
-  if (!(largest > 0)) largest = 1;
+  const double largest = std::max(gram.diagonal().maxCoeff(), 1.0);
   for (int axis = 0; axis < 3; ++axis)
     if (!can_turn(specimen.domain, axis)) gram(3 + axis, 3 + axis) += largest;
+  const auto still = null_space<6>(moved);
+  for (int k = 0; k < still.count; ++k)
+    gram += largest * still.vectors.col(k) * still.vectors.col(k).transpose();
 
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };

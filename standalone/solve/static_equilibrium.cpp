@@ -51,14 +51,16 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
   Equilibrium result;
   result.periodic_gradient = options.periodic_gradient;
   std::vector<BeamLoad<double>> bond_loads;
-  double last = 0;
+  double last = 0, allowed = 0;
   for (int round = 0;; ++round) {
     bond_loads = body.load_rates(body.rest(), field, options.periodic_gradient);
     Eigen::VectorXd force = body.sum(bond_loads) + conditions.load;
     for (Eigen::Index k = 0; k < force.size(); ++k)
       if (!solver.is_free(static_cast<std::size_t>(k))) force[k] = 0;
-    result.residual = balance(body, bond_loads, force).residual;
-    if (round > 0 && result.residual <= options.tolerance) break;
+    const Balance now = balance(body, bond_loads, force, 4 * field.cwiseAbs().maxCoeff());
+    result.residual = now.residual;
+    allowed = options.tolerance + now.round_off;
+    if (round > 0 && result.residual <= allowed) break;
     if (round > 1 && result.residual > 0.5 * last) break;  // as far as round-off lets it come
     if (round == 8) break;
     last = result.residual;
@@ -72,7 +74,7 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
     result.iterations = solver.is_factorised() ? 1 : result.iterations + solved.iterations;
     field += change;
   }
-  if (!(result.residual <= std::max(1e-6, options.tolerance)))
+  if (!(result.residual <= std::max(1e-6, allowed)))
     throw RunError("no static equilibrium: forces out of balance remain at " +
                    std::to_string(result.residual) + " of the bonds' forces after " +
                    std::to_string(result.iterations) + " iterations");
