@@ -41,10 +41,6 @@ void store(double* place, const Vector& a) {
 
 }  // namespace
 
-bool SolidemBeam::may_break() const {
-  return std::isfinite(rupture.elastic_strain) || std::isfinite(rupture.strain);
-}
-
 int SolidemBeam::width() const {
   if (plasticity == SCALED_OFFSET) return Row::WITH_REST_DIRECTION;
   return may_change() ? Row::CHANGING : Row::ELASTIC;
@@ -85,8 +81,8 @@ SolidemBeam::Pose SolidemBeam::pose(const double* memory, const SolidemBondEnds&
 // A bond that breaks or is cut in this step acts as a beam once more.
 bool SolidemBeam::acts_as_beam(const double* memory, double step) const {
   if (!may_break()) return true;
-  const double rupture = memory[Row::RUPTURE];
-  return rupture == 0.0 || rupture == step + 1.0 || rupture == step + 1.5;
+  const double broke = memory[Row::RUPTURE];
+  return broke == 0.0 || broke == step + 1.0 || broke == step + 1.5;
 }
 
 // One that is made anew in this step pushes once more.
@@ -136,9 +132,11 @@ SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, 
   double limit = std::min(rupture.elastic_strain, std::max(rupture.strain - plastic_strain, 0.0));
   if (plasticity == RADIAL_RETURN) limit = std::min(limit, yield_strain);
   limit *= bond.rest_length;
-  const bool near = solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, place,
-                                                        deformation) > limit * limit;
-  if ((plasticity == SCALED_OFFSET || near) && flow(memory, ends, bond, step)) {
+  bool near = solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, place,
+                                                  deformation) > limit * limit;
+  if ((plasticity == SCALED_OFFSET || near) &&
+      flow(memory, ends, bond, {place, deformation}, step)) {
+    near = true;
     place = pose(memory, ends);
     deformation = solidem::elastic_deformation(bond.rest_length, place, history(memory));
   }
@@ -165,26 +163,26 @@ SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, 
 ------------------------------------------------------------------------- */
 
 bool SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
-                       const YieldingBeam<double>& bond, double step) const {
+                       const YieldingBeam<double>& bond, const State& elastic, double step) const {
   if (plasticity == NONE || memory[Row::FLOW] == step + 1.0) return false;
-  const BeamHistory<double> before = history(memory);
-  if (plasticity == SCALED_OFFSET) {  // the strain since the bond was made, far from its largest?
-    const Pose whole = solidem::beam_pose(ends.chord, vector(memory + Row::REST_DIRECTION),
-                                          ends.orientation_i, ends.orientation_j);
-    const double limit =
-        bond.rest_length * (yield.yield_strain + (1.0 + yield.hardening_ratio) * before.strain);
-    if (solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, whole,
-                                            solidem::beam_deformation(bond.rest_length, whole)) <=
-        limit * limit)
-      return false;
+  const double plastic_strain = memory[Row::PLASTIC_STRAIN];
+  State from = elastic;
+  if (plasticity == SCALED_OFFSET) {  // what counts is the deformation since the bond was made
+    from.pose = solidem::beam_pose(ends.chord, vector(memory + Row::REST_DIRECTION),
+                                   ends.orientation_i, ends.orientation_j);
+    from.deformation = solidem::beam_deformation(bond.rest_length, from.pose);
   }
+  const double strain =
+      solidem::equivalent_strain(bond.radius, bond.shear_ratio, from.pose, from.deformation);
+  const solidem::PlasticFlow<double> flow =
+      plasticity == RADIAL_RETURN ? solidem::radial_return(yield, strain, plastic_strain)
+                                  : solidem::scaled_offset(yield, strain, plastic_strain);
+  if (!(flow.strain > plastic_strain)) return false;
+
+  const double energy = solidem::beam_energy(bond.rigidity, elastic.pose, elastic.deformation);
   const solidem::BeamResponse<double> response =
-      plasticity == RADIAL_RETURN
-          ? solidem::radial_return_response(bond, before, ends.chord, ends.orientation_i,
-                                            ends.orientation_j)
-          : solidem::scaled_offset_response(bond, before, vector(memory + Row::REST_DIRECTION),
-                                            ends.chord, ends.orientation_i, ends.orientation_j);
-  if (!(response.history.strain > before.strain)) return false;
+      solidem::detail::flowed(bond, from.pose, from.deformation, flow, plastic_strain, energy,
+                              ends.orientation_i, ends.orientation_j);
   store(memory + Row::NORMAL_I, response.history.normal_i);
   store(memory + Row::NORMAL_J, response.history.normal_j);
   memory[Row::EXTENSION] = response.history.extension;

@@ -89,7 +89,9 @@ struct SolidemBeam {
   double contact_ratio = 0.0;  ///< stiffness of contacts over E S / l; 0: no contact
   double rebonding_pressure = NEVER;
 
-  bool may_break() const;
+  bool may_break() const {
+    return std::isfinite(rupture.elastic_strain) || std::isfinite(rupture.strain);
+  }
   bool may_change() const { return plasticity != NONE || may_break(); }
   /// Numbers of SolidemBondMemory that a bond of this type needs.
   int width() const;
@@ -110,6 +112,10 @@ struct SolidemBeam {
   typedef solidem::BeamPose<double> Pose;
   typedef solidem::BeamDeformation<double> Deformation;
 
+  struct State {
+    Pose pose;
+    Deformation deformation;
+  };
   struct Contact {
     Vector force;  ///< on i
     double energy;
@@ -123,8 +129,8 @@ struct SolidemBeam {
   bool made_anew(const double* memory, double step) const;
 
   void make(double* memory, const SolidemBondEnds& ends) const;
-  bool flow(double* memory, const SolidemBondEnds& ends, const solidem::YieldingBeam<double>& beam,
-            double step) const;
+  bool flow(double* memory, const SolidemBondEnds& ends, const solidem::YieldingBeam<double>& bond,
+            const State& elastic, double step) const;
   Contact contact(double rest_length, const SolidemBondEnds& ends) const;
   SolidemBondAction act_apart(double* memory, const SolidemBondEnds& ends, double step) const;
 };
