@@ -73,6 +73,8 @@ def _figure(plot: Plot) -> Figure:
     _lines(axes, plot.series)
     axes.set(ylabel=plot.y_label)
     axes.set_title(plot.title, fontsize=10)
+    if plot.ticks:
+        axes.set_xticks(list(plot.ticks), list(plot.ticks.values()))
     if plot.log_x:
         axes.set_xscale("log")
     if plot.log_y and any((series.y > 0).any() for series in plot.series):
@@ -116,7 +118,8 @@ def merged_plots(rows: list[Row]) -> list[Plot]:
             continue
         plot = row.plot
         key = (row.case, plot.figure, plot.title, plot.x_label, plot.y_label)
-        into = merged.setdefault(key, replace(plot, series=[], below=[]))
+        into = merged.setdefault(key, replace(plot, series=[], below=[], ticks={}))
+        into.ticks |= plot.ticks
         _join(into.series, plot.series)
         _join(into.below, plot.below)
     return list(merged.values())

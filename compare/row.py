@@ -37,6 +37,7 @@ class Plot:
     below: list[Series] = field(default_factory=list)  #: a smaller panel under it
     below_label: str = ""
     below_log: bool = False
+    ticks: dict[float, str] = field(default_factory=dict)  #: words in place of numbers, horizontally
 
 
 @dataclass

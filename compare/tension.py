@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -108,7 +109,7 @@ def tension_figure(view: View) -> Measured:
     """Distance of a figure of a tension test from a target, of the mean over the group's specimens.
 
     Options: `figure` of the test as `of` (young_modulus, poisson_ratio, yield_stress, peak_stress,
-    rupture_strain), `target`; `place` and `half_width` put it into the plot, as part of the target.
+    rupture_strain), `target`; `place` and `half_width` put it into the plot, as parts of the target.
     """
     name, target = view.option("of"), float(view.option("target"))
     label, unit, words = FIGURES[name]
@@ -119,37 +120,41 @@ def tension_figure(view: View) -> Measured:
         place, half = float(options["place"]), float(options["half_width"]) / target
         across = np.array([place - 0.3, place + 0.3])
         low, high = np.full(2, 1 - half), np.full(2, 1 + half)
-        size = options.get("series", "specimens")
-        shift = float(options.get("shift", 0.0))
-        plot = Plot(options.get("title", "tension test against its targets"),
-                    options.get("ticks", "figure of the test"), "found / wanted",
-                    [Series("_" + label, across, high, "0.6", band=low),
-                     Series(size, place + shift + np.linspace(-0.06, 0.06, len(values)),
-                            values / target, options.get("style", "C0o"), joined=True)])
+        seen = np.linspace(-0.12, 0.12, len(values)) if len(values) > 1 else np.zeros(1)
+        plot = Plot(options.get("title", "tension test against its targets"), "",
+                    "found / published",
+                    [Series("wanted of the mean" if place == 1 else f"_{label}", across, high,
+                            "0.75", band=low),
+                     Series("mean", np.array([place]), values.mean(keepdims=True) / target, "kD",
+                            joined=True),
+                     Series(options.get("series", "specimens"), place + seen, values / target,
+                            "C0o", joined=True)],
+                    ticks={place: f"{label} {target / unit:.3g} {words}"})
     spread = f", from {values.min() / unit:.4g} to {values.max() / unit:.4g}" * (len(values) > 1)
     return Measured(abs(float(values.mean()) - target),
                     f"{label} = {values.mean() / unit:.4g} {words}{spread}", plot)
 
 
-def _published(options: dict) -> list[Series]:
+def _published(options: dict[str, Any]) -> list[Series]:
     """Marks of the published figures: yield and largest stress, the span of rupture strains."""
     given = options.get("published")
     if not given:
         return []
     modulus, low, high = given["young_modulus"], *given["rupture_strain"]
-    knee = given["yield_stress"] / modulus
     top, bottom = given["peak_stress"] / 1e6, given["yield_stress"] / 1e6
-    return [Series("table 3.7: E up to σ_y", np.array([0, 100 * knee]), np.array([0, bottom]), "k-"),
+    knee = 100 * given["yield_stress"] / modulus
+    return [Series("table 3.7: E, as far as σ_y", np.array([0, knee]), np.array([0, bottom]), "k-",
+                   wide=True),
             Series("table 3.7: σ_y", np.array([0, 100 * high]), np.full(2, bottom), "k:"),
-            Series("table 3.7: σ_rupt, rupture at 4 to 19 %", np.array([100 * low, 100 * high]),
-                   np.full(2, top), "k|-")]
+            Series("table 3.7: σ_rupt, and rupture at 4 to 19 %",
+                   np.array([100 * low, 100 * high]), np.full(2, top), "k|-")]
 
 
 @measure
 def tension_curve(view: View) -> Measured:
     """Spread of the group's stress–strain curves: mean of (largest − least) stress over the peak.
 
-    Up to the first specimen's rupture; drawn with the published figures (option `published`).
+    Up to the first specimen's rupture; drawn with the figures of the case's [options.published].
     """
     curves = [curve_of(member) for member in view.members]
     if len(curves) < 2:
@@ -159,11 +164,10 @@ def tension_curve(view: View) -> Measured:
     rows = np.array([np.interp(grid, c.elongation, c.stress) for c in curves])
     options = view.check.options
     plot = Plot(options.get("title", "tension to rupture"), "elongation, %", "stress, MPa",
-                [*_published(options),
-                 *(Series(f"{options.get('label', view.check.quantity)}, "
-                          f"{member.variant.name}" if n == 0 else f"_{member.variant.name}",
-                          100 * c.elongation, c.stress / 1e6, options.get("style", "C0-"))
-                   for n, (member, c) in enumerate(zip(view.members, curves)))])
+                [*_published(view.case.options),
+                 *(Series(f"{options.get('label', 'ours')}, {member.variant.name}",
+                          100 * c.elongation, c.stress / 1e6, "-")
+                   for member, c in zip(view.members, curves))])
     spread = float(np.mean(rows.max(axis=0) - rows.min(axis=0)) / rows.max())
     return Measured(spread, f"{len(curves)} specimens, to {100 * last:.3g} %", plot)
 
