@@ -37,10 +37,6 @@ constexpr const Column* slot_columns[] = {&columns::rest_direction,     &columns
                                           &columns::far_section_normal, &columns::plastic_extension,
                                           &columns::plastic_twist,      &columns::plastic_strain};
 
-bool remembers(BeamFlow flow) {
-  return flow == BeamFlow::radial_return || flow == BeamFlow::scaled_offset;
-}
-
 }  // namespace
 
 BeamFlow BeamDemands::flow() const {

@@ -84,9 +84,10 @@ class Beams : public Effect {
 
   const BeamProperties& properties() const { return properties_; }
 
- private:
+  /// The columns and figures that the hot loop works on; without a step and a list for what breaks.
   BeamMotion motion(Model& model) const;
 
+ private:
   BeamDemands demands_;
   BeamProperties properties_;
   BeamFlow flow_;

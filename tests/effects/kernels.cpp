@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "effects/beams.hpp"
 #include "laws/rigid_sphere.hpp"
@@ -31,86 +33,152 @@ void disturb(Model& model, double size) {
   }
 }
 
+using Law = BeamParameters::Law;
+using RadiusFrom = BeamParameters::RadiusFrom;
+
 struct Variant {
-  BeamParameters::RadiusFrom radius_from;
+  Law law;
+  RadiusFrom radius_from;
   bool periodic;
+  BeamFlow flow;
 };
+
+// Of the order of the strains that the elements are given: some bonds flow and some break.
+constexpr double break_strain = 0.012;
+
+Setup setup_of(const Variant& variant) {
+  auto setup = elastic_setup();
+  setup.beams->law = variant.law;
+  if (variant.law == Law::spring) setup.beams->shear_modulus = 0;
+  setup.beams->radius_from = variant.radius_from;
+  if (variant.flow != BeamFlow::none) setup.rupture = RuptureParameters{{}, break_strain, 0};
+  if (variant.flow == BeamFlow::radial_return)
+    setup.plasticity = PlasticityParameters{PlasticityParameters::Law::radial_return, 0.005, 0.1};
+  if (variant.flow == BeamFlow::scaled_offset)
+    setup.plasticity = PlasticityParameters{PlasticityParameters::Law::scaled_offset, 0.005, 0.1};
+  return setup;
+}
+
+/// All columns of a model, to begin anew from.
+std::vector<std::vector<double>> contents(const Model& model) {
+  std::vector<std::vector<double>> all;
+  for (const Column* column : model.columns())
+    all.emplace_back(model.data(*column), model.data(*column) + model.size(*column));
+  return all;
+}
+
+void put_back(Model& model, const std::vector<std::vector<double>>& all) {
+  for (std::size_t k = 0; k < all.size(); ++k)
+    std::copy(all[k].begin(), all[k].end(), model.data(*model.columns()[k]));
+}
+
+void expect_vector(const double* column, std::size_t at, const Vector& expected, double tolerance) {
+  EXPECT_NEAR(column[at], expected.x, tolerance);
+  EXPECT_NEAR(column[at + lanes], expected.y, tolerance);
+  EXPECT_NEAR(column[at + 2 * lanes], expected.z, tolerance);
+}
 
 class BeamKernel : public testing::TestWithParam<Variant> {};
 
-TEST_P(BeamKernel, gives_the_accelerations_of_the_law) {
+TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
   const Variant variant = GetParam();
-  auto setup = elastic_setup();
-  setup.beams->radius_from = variant.radius_from;
   Specimen specimen =
       variant.periodic ? crystal("fcc", {3, 3, 3}, {true, true, true}) : jittered("bcc", {4, 3, 3});
-  Simulation simulation(setup, std::move(specimen));
-  Model& model = simulation.model();
-  disturb(model, 0.05);
+  const Simulation simulation(setup_of(variant), std::move(specimen), true);
+  Model& model = const_cast<Simulation&>(simulation).model();
+  const Beams& beams = *simulation.beams();
+  disturb(model, 0.02);
   Observation seen;
   simulation.observe(seen);
+  const bool turning = model.has(columns::angular_velocity);
+  ASSERT_EQ(turning, variant.law != Law::spring);
+  ASSERT_EQ(model.has(columns::image_shift), variant.periodic);
   double largest = 0, largest_spin = 0;
   for (std::size_t i = 0; i < model.elements(); ++i) {
     largest = std::max(largest, norm(seen.motion.force[i]) * model.data(columns::inverse_mass)[i]);
-    largest_spin = std::max(largest_spin,
-                            norm(seen.motion.moment[i]) * model.data(columns::inverse_inertia)[i]);
+    if (turning)
+      largest_spin = std::max(
+          largest_spin, norm(seen.motion.moment[i]) * model.data(columns::inverse_inertia)[i]);
   }
   ASSERT_GT(largest, 0);
+
+  // What the law says of every slot.
+  std::map<std::uint32_t, Beams::Bond> bonds;
+  std::vector<std::uint32_t> expected_breaking;
+  std::size_t flowing = 0;
+  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+    const auto at = static_cast<std::uint32_t>(row * lanes) + static_cast<std::uint32_t>(lane);
+    const Beams::Bond bond = beams.bond(model, i, j, row, lane);
+    bonds.emplace(at, bond);
+    if (bond.response.plastic_work > 0) ++flowing;
+    if (variant.flow != BeamFlow::none &&
+        breaks<double>({1e300, break_strain}, bond.response.strain, bond.response.history.strain))
+      expected_breaking.push_back(at);
+  });
+  if (remembers(variant.flow)) {
+    EXPECT_GT(flowing, bonds.size() / 10);
+    EXPECT_LT(flowing, bonds.size());
+  }
+  if (variant.flow != BeamFlow::none) {
+    EXPECT_GT(expected_breaking.size(), 0u);
+    EXPECT_LT(expected_breaking.size(), bonds.size());
+  }
+
+  const auto before = contents(model);
   for (const Kernels* kernels : usable_kernels()) {
-    double* velocity = model.data(columns::velocity);
-    double* spin = model.data(columns::angular_velocity);
-    std::fill(velocity, velocity + model.size(columns::velocity), 0.0);
-    std::fill(spin, spin + model.size(columns::angular_velocity), 0.0);
-    const bool pair = model.has(columns::bond_radius), periodic = model.has(columns::image_shift);
-    ASSERT_EQ(pair, variant.radius_from == BeamParameters::RadiusFrom::pair);
-    ASSERT_EQ(periodic, variant.periodic);
-    const double radius = pair ? 1 : setup.beams->radius_ratio * mean_radius(model.specimen());
-    const BeamMotion motion{
-        model.slots().first_row(),
-        model.slots().neighbours(),
-        model.data(columns::pose),
-        model.next(columns::pose),
-        velocity,
-        spin,
-        model.data(columns::inverse_mass),
-        model.data(columns::inverse_inertia),
-        model.data(columns::rest_direction),
-        model.data(columns::rest_length),
-        pair ? model.data(columns::bond_radius) : nullptr,
-        periodic ? model.data(columns::image_shift) : nullptr,
-        euler_bernoulli_rigidity<double>({setup.beams->young_modulus, setup.beams->shear_modulus, radius}),
-        1.0,
-        0.0};
+    SCOPED_TRACE(kernels->instruction_set);
+    put_back(model, before);
+    std::vector<std::uint32_t> breaking;
+    BeamMotion motion = beams.motion(model);
+    motion.kick = 1;
+    motion.breaking = &breaking;
     kernels->move_beams(motion, 0, model.slots().blocks());
-    for (std::size_t i = 0; i < model.elements(); ++i)
-      for (int axis = 0; axis < 3; ++axis) {
-        const Vector a = model.data(columns::inverse_mass)[i] * seen.motion.force[i];
-        const Vector b = model.data(columns::inverse_inertia)[i] * seen.motion.moment[i];
-        const std::size_t at = Model::at(columns::velocity, i, axis);
-        EXPECT_NEAR(velocity[at],
-                    axis == 0   ? a.x
-                    : axis == 1 ? a.y
-                                : a.z,
-                    1e-12 * largest)
-            << kernels->instruction_set;
-        EXPECT_NEAR(spin[at],
-                    axis == 0   ? b.x
-                    : axis == 1 ? b.y
-                                : b.z,
-                    1e-12 * largest_spin)
-            << kernels->instruction_set;
-        // No drift: every pose is handed on as it is.
-        EXPECT_EQ(model.next(columns::pose)[8 * i + static_cast<std::size_t>(axis)],
-                  model.data(columns::pose)[8 * i + static_cast<std::size_t>(axis)]);
-      }
+    std::sort(breaking.begin(), breaking.end());
+    EXPECT_EQ(breaking, expected_breaking);
+    double work = 0;
+    for (std::size_t i = 0; i < model.elements(); ++i) {
+      const std::size_t at = Model::at(columns::velocity, i);
+      expect_vector(model.data(columns::velocity), at,
+                    model.data(columns::inverse_mass)[i] * seen.motion.force[i], 1e-12 * largest);
+      if (turning)
+        expect_vector(model.data(columns::angular_velocity), at,
+                      model.data(columns::inverse_inertia)[i] * seen.motion.moment[i],
+                      1e-12 * largest_spin);
+      // No drift: every pose is handed on as it is.
+      for (std::size_t k = 0; k < 8; ++k)
+        EXPECT_NEAR(model.next(columns::pose)[8 * i + k], model.data(columns::pose)[8 * i + k],
+                    1e-15);
+      if (remembers(variant.flow)) work += model.data(columns::plastic_work)[i];
+    }
+    EXPECT_NEAR(work, seen.motion.plastic_work, 1e-12 * seen.motion.elastic_energy);
+    if (!remembers(variant.flow)) continue;
+    for (const auto& [index, bond] : bonds) {
+      const Slots::Place place = Slots::place_of(index);
+      const BeamHistory<double>& history = bond.response.history;
+      EXPECT_NEAR(model.data(columns::plastic_strain)[index], history.strain, 1e-13);
+      EXPECT_NEAR(model.data(columns::plastic_extension)[index], history.extension,
+                  1e-13 * bond.rest_length());
+      if (!turning) continue;
+      EXPECT_NEAR(model.data(columns::plastic_twist)[index], history.twist, 1e-13);
+      const auto at = Model::at_slot(columns::section_normal, place.row, place.lane);
+      expect_vector(model.data(columns::section_normal), at, history.normal_i, 1e-13);
+      expect_vector(model.data(columns::far_section_normal), at, history.normal_j, 1e-13);
+    }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Variants, BeamKernel,
-                         testing::Values(Variant{BeamParameters::RadiusFrom::mean, false},
-                                         Variant{BeamParameters::RadiusFrom::pair, false},
-                                         Variant{BeamParameters::RadiusFrom::mean, true},
-                                         Variant{BeamParameters::RadiusFrom::pair, true}));
+std::vector<Variant> variants() {
+  std::vector<Variant> all;
+  for (const Law law : {Law::euler_bernoulli, Law::timoshenko, Law::spring})
+    for (const RadiusFrom radius_from : {RadiusFrom::mean, RadiusFrom::pair})
+      for (const bool periodic : {false, true})
+        for (const BeamFlow flow :
+             {BeamFlow::none, BeamFlow::brittle, BeamFlow::radial_return, BeamFlow::scaled_offset})
+          all.push_back({law, radius_from, periodic, flow});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, BeamKernel, testing::ValuesIn(variants()));
 
 TEST(HeatKernel, gives_the_rates_of_the_law) {
   Simulation simulation(thermal_setup(), jittered("bcc", {4, 3, 3}));

@@ -56,10 +56,6 @@ struct BondPack {
   BeamHistory<Pack> history;
 };
 
-constexpr bool remembers(BeamFlow flow) {
-  return flow == BeamFlow::radial_return || flow == BeamFlow::scaled_offset;
-}
-
 template <bool turning, bool own_rigidity, BeamFlow flow>
 inline BondPack bonds_in(const BeamMotion& m, const SlotPlace& slot, const PackVector& chord,
                          const Rotation<Pack>& rotation, const Quaternion<Pack>& turned_back,

@@ -22,6 +22,11 @@ enum class BeamFlow {
   scaled_offset   ///< the same by the law of the thesis
 };
 
+/// Whether bonds keep a history.
+constexpr bool remembers(BeamFlow flow) {
+  return flow == BeamFlow::radial_return || flow == BeamFlow::scaled_offset;
+}
+
 /// Columns of bonded elements in motion, as the kernels read and write them.
 struct BeamMotion {
   BeamFlow flow;
