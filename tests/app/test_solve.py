@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`solidem solve`: files, figures, and what it says of scenes that it cannot solve."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import h5py
+import numpy as np
+
+CANTILEVER = """\
+title = "cantilever"
+[specimen]
+shape = "crystal"
+lattice = "simple_cubic"
+cells = [41, 1, 1]
+element_radius = "0.1 mm"
+[material]
+density = "2790 kg/m^3"
+[beams]
+young_modulus = "3.5 TPa"
+poisson_ratio = 0.3
+radius_ratio = 0.27
+[[grips]]
+name = "clamp"
+region = { axis = "x", side = "low", depth = "0.15 mm" }
+displacement = ["0 m", "0 m", "0 m"]
+[[grips]]
+name = "end"
+region = { axis = "x", side = "high", depth = "0.15 mm" }
+force = ["free", { time = ["0 us", "1 us"], value = ["0 N", "1 mN"] }, "free"]
+rotation = "free"
+[[sensors]]
+name = "tip"
+point = ["8.1 mm", "0.1 mm", "0.1 mm"]
+quantity = "displacement"
+[run]
+duration = "2 us"
+"""
+
+LENGTH, RADIUS, MODULUS, FORCE = 8e-3, 0.27e-4, 3.5e12, 1e-3
+BENDING = MODULUS * math.pi * RADIUS**4 / 4
+
+
+def solve(solidem, text, *options):
+    scene = solidem.scene("scene.toml", text)
+    done = solidem("solve", scene, "-o", "out", *options)
+    assert done.returncode == 0, done.stderr
+    return json.loads((solidem.folder / "out" / "summary.json").read_text()), done.stdout
+
+
+def test_a_cantilever_bends_and_swings_by_beam_theory(solidem):
+    summary, text = solve(solidem, CANTILEVER, "--modes", "2")
+    deflection = FORCE * LENGTH**3 / (3 * BENDING)
+    assert math.isclose(summary["sensors"]["tip"]["displacement"][1], deflection, rel_tol=1e-4)
+    assert math.isclose(summary["energy"]["elastic_energy"], FORCE * deflection / 2, rel_tol=1e-4)
+    assert np.allclose(summary["grips"]["clamp"]["force"], [0, -FORCE, 0], atol=1e-6 * FORCE)
+    assert math.isclose(summary["grips"]["clamp"]["moment"][2], -FORCE * LENGTH, rel_tol=1e-4)
+    assert np.allclose(summary["grips"]["end"]["force"], [0, FORCE, 0], atol=1e-6 * FORCE)
+    assert summary["residual"] < 1e-8
+
+    # The body reaches half an element beyond the last centre.
+    line_density = 2790 * (0.2e-3) ** 2
+    swing = (1.87510407 / (LENGTH + 1e-4)) ** 2 * math.sqrt(BENDING / line_density) / (2 * math.pi)
+    assert np.allclose(summary["frequencies"], swing, rtol=1e-3)
+    assert "mode 2" in text
+
+    out = solidem.folder / "out"
+    assert sorted(p.name for p in out.iterdir()) == [
+        "modes.h5", "modes.xdmf", "summary.json", "trajectory.h5", "trajectory.xdmf"]
+    with h5py.File(out / "trajectory.h5") as file:
+        frame = file["frames/000000"]
+        moved = frame["position"][:] - file["elements/position"][:]
+        assert frame.attrs["time"] == 2e-6
+        assert np.allclose(moved, frame["displacement"][:], atol=1e-15)
+        assert math.isclose(moved[:, 1].max(), deflection, rel_tol=1e-4)
+    with h5py.File(out / "modes.h5") as file:
+        assert len(file["frames"]) == 2
+
+
+def test_finite_rotations_stiffen_a_cantilever(solidem):
+    heavy = CANTILEVER.replace("1 mN", "80 mN")
+    small, _ = solve(solidem, heavy)
+    finite, text = solve(solidem, heavy, "--rotations", "finite")
+    k = 0.08 * LENGTH**2 / BENDING
+    assert k > 0.5  # far from small
+    tip = finite["sensors"]["tip"]["displacement"]
+    assert tip[1] < 0.97 * small["sensors"]["tip"]["displacement"][1]
+    assert tip[0] < 0
+    assert finite["load_steps"] > 1
+    assert "of the loads and displacements after" in text
+    assert finite["unstable"] is False
+
+
+def test_gauge_measures_as_in_a_slow_run(solidem, bar):
+    # The last row of a run that pulls slowly, beside the equilibrium at the same displacement.
+    solved, _ = solve(solidem, bar)
+    assert solidem("run", "scene.toml", "-o", "run").returncode == 0
+    ran = json.loads((solidem.folder / "run" / "summary.json").read_text())["final"]
+    assert set(solved["gauge"]) >= {"stress", "strain", "lateral_strain"}
+    assert math.isclose(solved["gauge"]["strain"], ran["gauge.strain"], rel_tol=0.2)
+    assert math.isclose(solved["gauge"]["stress"] / solved["gauge"]["strain"],
+                        ran["gauge.stress"] / ran["gauge.strain"], rel_tol=0.1)
+
+
+def test_a_body_that_is_not_held_is_told_how_it_can_move(solidem):
+    loose = CANTILEVER.replace('displacement = ["0 m", "0 m", "0 m"]',
+                               'displacement = ["free", "0 m", "0 m"]')
+    done = solidem("solve", solidem.scene("loose.toml", loose), "-o", "out")
+    assert done.returncode == 2
+    assert "loose.toml" in done.stderr
+    assert "not held: it can shift along x;" in done.stderr
+    assert not (solidem.folder / "out" / "summary.json").exists()
+
+
+def test_without_beams_there_is_nothing_to_solve(solidem):
+    warm = """\
+[specimen]
+shape = "crystal"
+lattice = "simple_cubic"
+cells = [3, 1, 1]
+element_radius = "0.1 mm"
+[material]
+density = "2790 kg/m^3"
+specific_heat_capacity = "880 J/(kg K)"
+conductivity = "134 W/(m K)"
+[conduction]
+initial_temperature = "298 K"
+[run]
+steps = 1
+"""
+    done = solidem("solve", solidem.scene("warm.toml", warm))
+    assert done.returncode == 2
+    assert "no [beams]" in done.stderr
+
+
+def test_what_would_have_yielded_is_noted(solidem):
+    plastic = CANTILEVER + "[plasticity]\nyield_strain = 0.002\n"
+    quiet, _ = solve(solidem, plastic)
+    assert "notes" not in quiet
+    strained, text = solve(solidem, plastic.replace("1 mN", "50 mN"))
+    expected = 0.05 * LENGTH * RADIUS / BENDING  # at the clamp, but for half an element
+    assert math.isclose(strained["largest_bond_strain"], expected, rel_tol=0.03)
+    assert "would have yielded" in strained["notes"][0]
+    assert "would have yielded" in text
