@@ -86,6 +86,20 @@ def cantilever_frequency(view: View) -> Measured:
 
 
 @measure
+def natural_frequency(view: View) -> Measured:
+    """Relative error of a natural frequency (option `mode`, 1 is the lowest) that a code has solved
+    for; as `cantilever_frequency`. A round beam has each of them twice."""
+    chain, mode = chain_of(view), int(view.option("mode"))
+    expected = cantilever_frequencies(mode, chain.length, chain.bending_stiffness,
+                                      chain.mass / chain.spacing, chain.mass / 2)[mode - 1]
+    found = np.sort(view.tested.history.get("frequency", np.zeros(0)))[2 * mode - 2:2 * mode]
+    if len(found) < 2:
+        raise CodeFailure(f"{view.tested.code} found no {2 * mode} frequencies")
+    return Measured(float(np.abs(found / expected - 1).max()),
+                    f"{found[0]:.7g} and {found[1]:.7g} Hz, theory {expected:.7g} Hz")
+
+
+@measure
 def tip_deflection_error(view: View) -> Measured:
     """Relative error of the tip's deflection under a force, against P L³ / 3 E I.
 

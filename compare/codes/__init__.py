@@ -7,10 +7,11 @@ from compare.codes.base import Code
 from compare.codes.calculix import Calculix
 from compare.codes.liggghts import Liggghts
 from compare.codes.standalone import Standalone
+from compare.codes.statics import Statics
 from compare.codes.yade import Yade
 
 
 def all_codes() -> dict[str, Code]:
     """Every adaptor by the name that cases use."""
-    codes: list[Code] = [Standalone(), Liggghts(), Yade(), Calculix()]
+    codes: list[Code] = [Standalone(), Statics(), Liggghts(), Yade(), Calculix()]
     return {code.name: code for code in codes}
