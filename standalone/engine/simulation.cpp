@@ -69,9 +69,7 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   add_observers();
   choose_time_step(force);
   if (heat_ != nullptr) heat_->start(static_cast<double>(steps_to_run()) * time_step_.value);
-  Observation start;
-  observe(start);
-  initial_energy_ = start.motion.kinetic_energy + start.motion.elastic_energy;
+  take_stock();
   // Of bonds that are strained by round-off, with a wide margin.
   if (beams_ != nullptr)
     round_off_energy_ =
@@ -153,7 +151,12 @@ void Simulation::add_observers() {
 void Simulation::choose_time_step(bool force) {
   const bool explicit_heat = heat_ != nullptr && heat_->takes_explicit_steps();
   std::vector<TimeStepCriterion> criteria;
+  // Contacts that take the places of bonds may be stiffer than these; root of the stiffness.
+  const double stiffer =
+      setup_.contact ? std::sqrt(std::max(1.0, setup_.contact->stiffness_ratio)) : 1.0;
   if (beams_ != nullptr) criteria = beams_->time_step_criteria(model_);
+  if (beams_ != nullptr && stiffer > 1)
+    criteria.push_back({"stiffness of contacts", criteria.front().value / stiffer});
   if (heat_ != nullptr && (explicit_heat || beams_ == nullptr))
     criteria.push_back(heat_->criterion());
   TimeStepChoice& choice = time_step_;
@@ -163,7 +166,7 @@ void Simulation::choose_time_step(bool force) {
       choice.bound = criterion.value;
       choice.criterion = criterion.name;
     }
-  if (beams_ != nullptr) choice.limit = stable_time_step(*beams_, model_);
+  if (beams_ != nullptr) choice.limit = stable_time_step(*beams_, model_) / stiffer;
   if (explicit_heat) choice.limit = std::min(choice.limit, heat_->limit());
   const RunControl& run = setup_.run;
   // Heat that is not bound by stability takes as many steps as the history has rows.
@@ -217,7 +220,15 @@ void Simulation::insist_on_bounded_energy() {
                  " s, stable limit at the start " + text(time_step_.limit) + " s");
 }
 
+void Simulation::take_stock() {
+  Observation start;
+  observe(start);
+  initial_energy_ = start.motion.kinetic_energy + start.motion.elastic_energy;
+}
+
 void Simulation::advance(std::int64_t steps) {
+  // Whatever moves when the first step begins was put there.
+  if (step_ == 0 && steps > 0 && beams_ != nullptr) take_stock();
   for (std::int64_t n = 0; n < steps; ++n) {
     if (beams_ != nullptr && step_ % check_every == 0) insist_on_bounded_energy();
     const double dt = time_step_.value;

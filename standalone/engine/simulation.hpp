@@ -90,6 +90,8 @@ class Simulation {
   /// Makes the model: bonds and, if heat passes elsewhere, its conductors.
   Model make_model(Specimen specimen);
   void add_observers();
+  /// Takes the energy that is there now as what the run starts with.
+  void take_stock();
   void choose_time_step(bool force);
   void insist_on_bounded_energy();
   /// Whether a run changes a column, so that it belongs into a checkpoint.
