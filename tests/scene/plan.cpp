@@ -30,6 +30,13 @@ Names united(Names names, const Names& more) {
   return names;
 }
 
+const Names flowing_motion = {
+    "pose",           "velocity",       "angular_velocity",   "inverse_mass",  "inverse_inertia",
+    "rest_length",    "section_normal", "far_section_normal", "plastic_twist", "plastic_extension",
+    "plastic_strain", "plastic_work"};
+const Names pulled = {"beams", "grip left", "grip right"};
+const Names torn = united(pulled, {"rupture"});
+
 const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};
 const Names hot_and_cold = {"conduction", "temperature cold", "temperature hot"};
 
@@ -39,13 +46,23 @@ const std::map<std::string, Expected> expected = {
     {"benchmarks/speed/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/annulus.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/cantilever.toml", {{"beams", "grip wall"}, {"move_beams"}, motion}},
+    {"compare/scenes/constant_strain.toml",
+     {pulled, {"move_beams, radial return"}, flowing_motion}},
+    {"compare/scenes/cyclic_force.toml", {torn, {"move_beams, radial return"}, flowing_motion}},
     {"compare/scenes/cylinder.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/elastic_cycle.toml",
      {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
     {"compare/scenes/plate.toml", {{"conduction", "heat source disc"}, {"conduct"}, heat}},
+    {"compare/scenes/reversed_tension.toml",
+     {pulled, {"move_beams, radial return"}, flowing_motion}},
     {"compare/scenes/simple_cubic.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/tension_bar.toml",
      {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
+    {"compare/scenes/tension_to_rupture.toml",
+     {torn, {"move_beams, radial return"}, flowing_motion}},
+    {"compare/scenes/three_point_bending.toml",
+     {united(pulled, {"grip middle"}), {"move_beams, radial return"}, flowing_motion}},
+    {"compare/scenes/torn_bar.toml", {torn, {"move_beams, radial return"}, flowing_motion}},
     {"compare/scenes/two_materials.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/vibrating_bar.toml", {{"beams"}, {"move_beams"}, motion}},
     {"compare/scenes/wedge.toml", {hot_and_cold, {"conduct"}, heat}},
