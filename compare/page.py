@@ -80,7 +80,7 @@ def _figure(plot: Plot) -> Figure:
     if plot.log_y and any((series.y > 0).any() for series in plot.series):
         axes.set_yscale("log")
     shown = len(axes.get_legend_handles_labels()[1])
-    if shown < 7:
+    if shown < 6:
         axes.legend(fontsize=8, frameon=False)
     else:  # above the plot, where it hides nothing
         figure.set_figheight(figure.get_figheight() + 0.1 * shown)

@@ -138,7 +138,6 @@ def collapse_force(view: View) -> Measured:
     elastic = np.minimum(48 * chain.bending_stiffness / chain.length**3 * moved, expected)
     plot = Plot("chain loaded in its middle", "displacement, m", "load, N",
                 [Series("beam theory, 4 M_p / L", moved, elastic, "k-", wide=True),
-                 Series(view.check.code, moved, np.abs(force), "-")],
-                figure="collapse_load")
+                 Series(view.check.code, moved, np.abs(force), "-")])
     return Measured(abs(found / expected - 1),
                     f"{found:.6g} N, theory {expected:.6g} N; varies by {swing:.2g} N", plot)
