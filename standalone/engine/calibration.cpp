@@ -183,6 +183,13 @@ class Search {
       for (const double ratio : {-0.5, 0.5})
         text += fmt::format(" poisson_ratio = {:g} of the beams gives {:.4f};", ratio,
                             first_poisson_ratio(with_poisson_ratio(best, ratio), bench_.first()));
+    if (!by_radius)
+      for (const double ratio : {request_.radius_ratio.lower, request_.radius_ratio.upper}) {
+        BeamParameters other = best;
+        other.radius_ratio = ratio;
+        text += fmt::format(" radius_ratio = {:g} gives {:.4f};", ratio,
+                            first_poisson_ratio(other, bench_.first()));
+      }
     throw InputError(text + " expected a target within reach");
   }
 

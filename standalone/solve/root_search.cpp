@@ -69,7 +69,7 @@ class Search {
     constexpr int pieces = 6;
     for (const int k : {0, pieces, 3, 2, 4, 1, 5}) {
       if (is_near_enough() || bracket()) return;
-      at(range.lower + (range.upper - range.lower) * k / pieces);
+      at(k == pieces ? range.upper : range.lower + (range.upper - range.lower) * k / pieces);
     }
   }
 

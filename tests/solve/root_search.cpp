@@ -56,13 +56,14 @@ TEST(RootSearch, FindsRootsOfACurveThatHasTheSameSignAtBothEnds) {
 }
 
 TEST(RootSearch, WithoutARootShowsBothEndsAndTheNearestTrial) {
-  const RootSearch search = find_root([](double x) { return 2 + x; }, {-1, 1}, 0.5, 1, 1e-6);
+  const RootSearch search =
+      find_root([](double x) { return 2 + x; }, {-0.9, 0.5}, 0.5, -0.05, 1e-6);
   EXPECT_FALSE(search.found);
-  EXPECT_EQ(search.best.at, -1);
-  EXPECT_EQ(search.best.value, 1);
-  bool upper_end = false;
-  for (const RootTrial& trial : search.trials) upper_end = upper_end || trial.at == 1;
-  EXPECT_TRUE(upper_end);
+  EXPECT_EQ(search.best.at, -0.9);
+  EXPECT_EQ(search.best.value, 1.1);
+  int at_upper_end = 0;
+  for (const RootTrial& trial : search.trials) at_upper_end += trial.at > 0.5 - 1e-9 ? 1 : 0;
+  EXPECT_EQ(at_upper_end, 1);
 }
 
 TEST(RootSearch, RefusesAnEmptyRangeAndAStartOutside) {
