@@ -101,6 +101,11 @@ Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model&
 
   double* length = model.data(columns::rest_length);
   std::fill(length, length + model.size(columns::rest_length), 1.0);
+  // An empty slot has shrunk to nothing, so that it is not taken for strained.
+  if (model.has(columns::plastic_extension)) {
+    double* extension = model.data(columns::plastic_extension);
+    std::fill(extension, extension + model.size(columns::plastic_extension), -1.0);
+  }
   if (model.has(columns::bond_radius)) {
     double* radius = model.data(columns::bond_radius);
     std::fill(radius, radius + model.size(columns::bond_radius), 1.0);
@@ -170,6 +175,9 @@ void Beams::release(Model& model, std::size_t row, int lane) {
       for (int k = 0; k < column->components; ++k)
         model.data(*column)[Model::at_slot(*column, row, lane, k)] = 0;
   model.data(columns::rest_length)[Model::at_slot(columns::rest_length, row, lane)] = 1;
+  if (model.has(columns::plastic_extension))
+    model.data(columns::plastic_extension)[Model::at_slot(columns::plastic_extension, row, lane)] =
+        -1;
 }
 
 std::vector<TimeStepCriterion> Beams::time_step_criteria(const Model& model) const {

@@ -113,6 +113,9 @@ void ElementContacts::search(const double* pose) {
     }
     candidate.shift = to - (centre_of(pose, j) - centre_of(pose, i));
     if (!specimen.domain.is_periodic()) candidate.shift = {};
+    // A bond that breaks while pressed hands on what the contact holds.
+    if (!was_candidate({i, j}))
+      rupture_.lose(-contact_energy(candidate.stiffness, candidate.distance, chord(candidate)));
     candidates_.push_back(candidate);
   });
   std::sort(candidates_.begin(), candidates_.end(),

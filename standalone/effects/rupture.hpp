@@ -40,7 +40,7 @@ class Rupture : public Effect {
   /// When the first bond broke, s; NaN before.
   double first_time() const { return first_time_; }
 
-  /// Enters energy that is lost when a bond forms anew.
+  /// Enters energy that is lost when a bond forms anew; negative what a contact takes over.
   void lose(double energy) { fracture_energy_ += energy; }
 
  private:

@@ -95,8 +95,9 @@ constexpr Real bound_of_squared_extension(const Real& radius, const Real& shear_
 /// How far a beam flows.
 template <class Real>
 struct PlasticFlow {
-  Real share;   ///< p: what remains of the elastic deformation, 1 where nothing flows
-  Real strain;  ///< κ afterwards
+  Real share;           ///< p: what remains of the elastic deformation, 1 where nothing flows
+  Real strain;          ///< κ afterwards
+  Real elastic_strain;  ///< σ_e / E afterwards
 };
 
 /// Radial return: `strain` is ε_e since the last flow, `plastic_strain` κ before.
@@ -108,7 +109,8 @@ constexpr PlasticFlow<Real> radial_return(const BeamYield<Real>& yield, const Re
   const Real after = (limit + yield.hardening_ratio * strain) / (one + yield.hardening_ratio);
   const auto flows = greater(strain, limit);
   return {select(flows, after / select(flows, strain, one), one),
-          select(flows, plastic_strain + (strain - after), plastic_strain)};
+          select(flows, plastic_strain + (strain - after), plastic_strain),
+          select(flows, after, strain)};
 }
 
 /// Scaled offset: `strain` is ε since the bond was made, `plastic_strain` κ before.
@@ -121,7 +123,7 @@ constexpr PlasticFlow<Real> scaled_offset(const BeamYield<Real>& yield, const Re
       (yield.yield_strain + yield.hardening_ratio * strain) / (one + yield.hardening_ratio);
   const auto flows = greater(strain, largest);
   return {select(flows, after / select(flows, strain, one), one),
-          select(flows, strain - after, plastic_strain)};
+          select(flows, strain - after, plastic_strain), after};
 }
 
 /// The pose of a beam of whose elastic deformation the share p remains: its section normals lean
@@ -130,9 +132,10 @@ template <class Real>
 constexpr BeamPose<Real> relaxed(const BeamPose<Real>& pose, const Vector3<Real>& direction,
                                  const Real& share) {
   const auto lean = [&](const Vector3<Real>& normal) {
-    using std::sqrt;
-    const Vector3<Real> leant = direction + share * (normal - direction);
-    return (Real{1.0} / sqrt(dot(leant, leant))) * leant;
+    Vector3<Real> leant = direction + share * (normal - direction);
+    // Newton's steps for 1 / length from 1: the length is short of that by p (1 − p) θ² / 2.
+    for (int n = 0; n < 2; ++n) leant = (Real{1.5} - Real{0.5} * dot(leant, leant)) * leant;
+    return leant;
   };
   return {pose.chord, lean(pose.normal_i), lean(pose.normal_j), pose.relative_turn};
 }
@@ -160,36 +163,55 @@ struct BeamResponse {
 namespace detail {
 
 /// Flow from a pose with a deformation to the share of it that remains. `plastic_strain`: κ before.
-/// `energy_before`: of the deformation against the shape that the bond remembers.
+/// `energy_before`: of the deformation against the shape that the bond remembers, of which the
+/// share `remaining` is left in every mode.
 template <class Real>
 constexpr BeamResponse<Real> flowed(const YieldingBeam<Real>& beam, const BeamPose<Real>& from,
                                     const BeamDeformation<Real>& deformation,
                                     const PlasticFlow<Real>& flow, const Real& plastic_strain,
-                                    const Real& energy_before,
+                                    const Real& energy_before, const Real& remaining,
                                     const Quaternion<Real>& orientation_i,
                                     const Quaternion<Real>& orientation_j) {
-  using std::sqrt;
   const BeamPose<Real> pose = relaxed(from, deformation.direction, flow.share);
   BeamDeformation<Real> left = deformation;
   left.extension = flow.share * deformation.extension;
   left.twist = flow.share * deformation.twist;
-  const BeamDeformation<Real> whole = beam_deformation(beam.rest_length, pose);
-  const Real energy = beam_energy(beam.rigidity, pose, left);
+  // The extension of the pose since the bond was made is that of any history.
+  const Real one{1.0};
+  const Real length = dot(from.chord, deformation.direction);
+  const Real twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
   const Real stress_before = beam.yield.yield_strain + beam.yield.hardening_ratio * plastic_strain;
   const Real stress_after = beam.yield.yield_strain + beam.yield.hardening_ratio * flow.strain;
   return {beam_load(beam.rigidity, pose, left),
           {rotate(conjugate(orientation_i), pose.normal_i),
-           rotate(conjugate(orientation_j), pose.normal_j), whole.extension - left.extension,
-           whole.twist - left.twist, flow.strain},
-          equivalent_strain(beam.radius, beam.shear_ratio, pose, left),
-          energy,
-          (Real{1.0} + stress_before / stress_after) * (sqrt(energy * energy_before) - energy)};
+           rotate(conjugate(orientation_j), pose.normal_j),
+           length - beam.rest_length - left.extension, twist - left.twist, flow.strain},
+          flow.elastic_strain,
+          beam_energy(beam.rigidity, pose, left),
+          (one + stress_before / stress_after) * remaining * (one - remaining) * energy_before};
 }
 
 }  // namespace detail
 
-/// A bond under radial return. Nothing that is passed in changes: keep the history of the response
-/// to accept the pose.
+/// A bond under radial return, in a pose and with the deformation of it since the bond last flowed.
+/// Nothing that is passed in changes: keep the history of the response to accept the pose.
+template <class Real>
+constexpr BeamResponse<Real> radial_return_response(const YieldingBeam<Real>& beam,
+                                                    const BeamHistory<Real>& history,
+                                                    const BeamPose<Real>& pose,
+                                                    const BeamDeformation<Real>& deformation,
+                                                    const Quaternion<Real>& orientation_i,
+                                                    const Quaternion<Real>& orientation_j) {
+  const Real strain = equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation);
+  const PlasticFlow<Real> flow = radial_return(beam.yield, strain, history.strain);
+  const Real energy = beam_energy(beam.rigidity, pose, deformation);
+  if (!any(greater(flow.strain, history.strain)))
+    return {beam_load(beam.rigidity, pose, deformation), history, strain, energy, Real{0.0}};
+  return detail::flowed(beam, pose, deformation, flow, history.strain, energy, flow.share,
+                        orientation_i, orientation_j);
+}
+
+/// The same from where the ends stand.
 template <class Real>
 constexpr BeamResponse<Real> radial_return_response(const YieldingBeam<Real>& beam,
                                                     const BeamHistory<Real>& history,
@@ -198,18 +220,37 @@ constexpr BeamResponse<Real> radial_return_response(const YieldingBeam<Real>& be
                                                     const Quaternion<Real>& orientation_j) {
   const BeamPose<Real> pose =
       beam_pose(chord, history.normal_i, history.normal_j, orientation_i, orientation_j);
-  const BeamDeformation<Real> deformation = elastic_deformation(beam.rest_length, pose, history);
-  const Real strain = equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation);
-  const Real energy = beam_energy(beam.rigidity, pose, deformation);
-  const PlasticFlow<Real> flow = radial_return(beam.yield, strain, history.strain);
-  if (!any(greater(flow.strain, history.strain)))
-    return {beam_load(beam.rigidity, pose, deformation), history, strain, energy, Real{0.0}};
-  return detail::flowed(beam, pose, deformation, flow, history.strain, energy, orientation_i,
-                        orientation_j);
+  return radial_return_response(beam, history, pose,
+                                elastic_deformation(beam.rest_length, pose, history), orientation_i,
+                                orientation_j);
 }
 
-/// A bond under the scaled offset of the thesis; it also needs the direction it had when it was
-/// made, in body axes.
+/// A bond under the scaled offset of the thesis. `whole`, `whole_deformation`: pose and deformation
+/// since the bond was made; the others as above.
+template <class Real>
+constexpr BeamResponse<Real> scaled_offset_response(
+    const YieldingBeam<Real>& beam, const BeamHistory<Real>& history, const BeamPose<Real>& pose,
+    const BeamDeformation<Real>& deformation, const BeamPose<Real>& whole,
+    const BeamDeformation<Real>& whole_deformation, const Quaternion<Real>& orientation_i,
+    const Quaternion<Real>& orientation_j) {
+  using std::sqrt;
+  const Real strain = equivalent_strain(beam.radius, beam.shear_ratio, whole, whole_deformation);
+  const PlasticFlow<Real> flow = scaled_offset(beam.yield, strain, history.strain);
+  const Real energy = beam_energy(beam.rigidity, pose, deformation);
+  if (!any(greater(flow.strain, history.strain)))
+    return {beam_load(beam.rigidity, pose, deformation), history,
+            equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation), energy, Real{0.0}};
+  BeamResponse<Real> response = detail::flowed(beam, whole, whole_deformation, flow, history.strain,
+                                               energy, Real{1.0}, orientation_i, orientation_j);
+  // In reverse flow the energy may be left in any share, so that share is measured.
+  const Real some = select(greater(energy, Real{0.0}), energy, Real{1.0});
+  const Real remaining = sqrt(response.energy / some);
+  response.plastic_work = Real{2.0} * remaining * (Real{1.0} - remaining) * energy;
+  return response;
+}
+
+/// The same from where the ends stand. `rest_direction`: of the bond when it was made, in body
+/// axes.
 template <class Real>
 constexpr BeamResponse<Real> scaled_offset_response(const YieldingBeam<Real>& beam,
                                                     const BeamHistory<Real>& history,
@@ -219,17 +260,10 @@ constexpr BeamResponse<Real> scaled_offset_response(const YieldingBeam<Real>& be
                                                     const Quaternion<Real>& orientation_j) {
   const BeamPose<Real> pose =
       beam_pose(chord, history.normal_i, history.normal_j, orientation_i, orientation_j);
-  const BeamDeformation<Real> deformation = elastic_deformation(beam.rest_length, pose, history);
-  const Real energy = beam_energy(beam.rigidity, pose, deformation);
-  const BeamPose<Real> whole_pose = beam_pose(chord, rest_direction, orientation_i, orientation_j);
-  const BeamDeformation<Real> whole = beam_deformation(beam.rest_length, whole_pose);
-  const Real strain = equivalent_strain(beam.radius, beam.shear_ratio, whole_pose, whole);
-  const PlasticFlow<Real> flow = scaled_offset(beam.yield, strain, history.strain);
-  if (!any(greater(flow.strain, history.strain)))
-    return {beam_load(beam.rigidity, pose, deformation), history,
-            equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation), energy, Real{0.0}};
-  return detail::flowed(beam, whole_pose, whole, flow, history.strain, energy, orientation_i,
-                        orientation_j);
+  const BeamPose<Real> whole = beam_pose(chord, rest_direction, orientation_i, orientation_j);
+  return scaled_offset_response(
+      beam, history, pose, elastic_deformation(beam.rest_length, pose, history), whole,
+      beam_deformation(beam.rest_length, whole), orientation_i, orientation_j);
 }
 
 }  // namespace solidem

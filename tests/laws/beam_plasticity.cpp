@@ -281,7 +281,8 @@ TEST(BeamPlasticity, work_is_energy_and_plastic_work) {
     }
     const double error = std::fabs(path.work - path.energy - path.plastic) / path.work;
     EXPECT_GT(path.plastic, 0.5 * path.work);
-    EXPECT_LT(error, 0.04 / steps) << steps;
+    // Down to the square of the elastic turn, by which bending is not quite linear.
+    EXPECT_LT(error, 4e-5) << steps;
   }
 }
 

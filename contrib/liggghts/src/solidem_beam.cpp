@@ -18,8 +18,6 @@
 namespace LAMMPS_NS {
 
 using solidem::BeamHistory;
-using solidem::BeamLoad;
-using solidem::BeamRigidity;
 using solidem::Quaternion;
 using solidem::YieldingBeam;
 typedef solidem::Vector3<double> Vector;
@@ -30,9 +28,6 @@ namespace {
 // Lips of a broken bond that are this many times the sum of their radii apart never touch again.
 const double REACH_OF_CONTACT = 1.5;
 
-Vector vector(const double* a) {
-  return {a[0], a[1], a[2]};
-}
 void store(double* place, const Vector& a) {
   place[0] = a.x;
   place[1] = a.y;
@@ -44,38 +39,6 @@ void store(double* place, const Vector& a) {
 int SolidemBeam::width() const {
   if (plasticity == SCALED_OFFSET) return Row::WITH_REST_DIRECTION;
   return may_change() ? Row::CHANGING : Row::ELASTIC;
-}
-
-double SolidemBeam::beam_radius(const SolidemBondEnds& ends) const {
-  return radius > 0.0 ? radius : ratio * 0.5 * (ends.radius_i + ends.radius_j);
-}
-
-YieldingBeam<double> SolidemBeam::beam(const SolidemBondEnds& ends, double rest_length) const {
-  const double thickness = beam_radius(ends);
-  const solidem::BeamSection<double> section = {young_modulus, shear_modulus, thickness};
-  switch (law) {
-    case TIMOSHENKO:
-      return {solidem::timoshenko_rigidity(section, rest_length, shear_coefficient), rest_length,
-              thickness, shear_modulus / young_modulus, yield};
-    case SPRING:  // bears no bending and no torsion: neither strains it
-      return {solidem::spring_rigidity(section), rest_length, 0.0, 0.0, yield};
-    default:
-      return {solidem::euler_bernoulli_rigidity(section), rest_length, thickness,
-              shear_modulus / young_modulus, yield};
-  }
-}
-
-BeamHistory<double> SolidemBeam::history(const double* memory) const {
-  const Vector normal_i = vector(memory + Row::NORMAL_I);
-  if (!may_change()) return solidem::unyielded(normal_i);
-  return {normal_i, vector(memory + Row::NORMAL_J), memory[Row::EXTENSION], memory[Row::TWIST],
-          memory[Row::PLASTIC_STRAIN]};
-}
-
-SolidemBeam::Pose SolidemBeam::pose(const double* memory, const SolidemBondEnds& ends) const {
-  const double* normal_j = memory + (may_change() ? Row::NORMAL_J : Row::NORMAL_I);
-  return solidem::beam_pose(ends.chord, vector(memory + Row::NORMAL_I), vector(normal_j),
-                            ends.orientation_i, ends.orientation_j);
 }
 
 // A bond that breaks or is cut in this step acts as a beam once more.
@@ -105,52 +68,41 @@ void SolidemBeam::make(double* memory, const SolidemBondEnds& ends) const {
     store(memory + Row::REST_DIRECTION, solidem::rotate(back_i, direction));
 }
 
-SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, double step,
-                                   bool energies) const {
-  if (memory[Row::REST_LENGTH] == 0.0) make(memory, ends);
+/* ----------------------------------------------------------------------
+   a bond that broke, was cut or was made anew: one that breaks or is cut in
+   this very pose acts as a beam once more
+------------------------------------------------------------------------- */
+
+SolidemBondAction SolidemBeam::act_broken(double* memory, const SolidemBondEnds& ends, double step,
+                                          bool energies) const {
   if (!acts_as_beam(memory, step)) {
     if (!Row::is_whole(memory) || made_anew(memory, step)) return act_apart(memory, ends, step);
     memory[Row::RUPTURE] = memory[Row::FLOW] = 0.0;
+    return act(memory, ends, step, energies);
   }
-
   const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
-  Pose place = pose(memory, ends);
-  Deformation deformation = solidem::elastic_deformation(bond.rest_length, place, history(memory));
-  if (!may_change())
-    return {solidem::beam_load(bond.rigidity, place, deformation),
-            energies ? solidem::beam_energy(bond.rigidity, place, deformation) : 0.0};
-  if (memory[Row::RUPTURE] != 0.0) {  // broke in this very pose
-    SolidemBondAction action;
-    action.load = solidem::beam_load(bond.rigidity, place, deformation);
-    if (!Row::is_cut(memory)) action.contact_energy = contact(bond.rest_length, ends).energy;
-    return action;
-  }
-
-  // Most bonds are far from any limit, which a bound without a root tells.
-  const double plastic_strain = memory[Row::PLASTIC_STRAIN];
-  const double yield_strain = yield.yield_strain + yield.hardening_ratio * plastic_strain;
-  double limit = std::min(rupture.elastic_strain, std::max(rupture.strain - plastic_strain, 0.0));
-  if (plasticity == RADIAL_RETURN) limit = std::min(limit, yield_strain);
-  limit *= bond.rest_length;
-  bool near = solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, place,
-                                                  deformation) > limit * limit;
-  if ((plasticity == SCALED_OFFSET || near) &&
-      flow(memory, ends, bond, {place, deformation}, step)) {
-    near = true;
-    place = pose(memory, ends);
-    deformation = solidem::elastic_deformation(bond.rest_length, place, history(memory));
-  }
+  const State now = state(memory, ends, bond.rest_length);
   SolidemBondAction action;
-  action.load = solidem::beam_load(bond.rigidity, place, deformation);
-  action.breaks = near && solidem::breaks(rupture,
-                                          solidem::equivalent_strain(bond.radius, bond.shear_ratio,
-                                                                     place, deformation),
-                                          memory[Row::PLASTIC_STRAIN]);
+  action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);
+  if (!Row::is_cut(memory)) action.contact_energy = contact(bond.rest_length, ends).energy;
+  return action;
+}
+
+// A bond that may have reached a limit: it flows or breaks once a step at most.
+SolidemBondAction SolidemBeam::act_near_limit(double* memory, const SolidemBondEnds& ends,
+                                              const YieldingBeam<double>& bond, State now,
+                                              double step, bool energies) const {
+  SolidemBondAction action;
+  if (plasticity == NONE || memory[Row::FLOW] != step + 1.0) {
+    const double strain = flow(memory, ends, bond, now, step);
+    action.breaks = solidem::breaks(rupture, strain, memory[Row::PLASTIC_STRAIN]);
+  }
+  action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);
   if (energies || action.breaks)
-    action.elastic_energy = solidem::beam_energy(bond.rigidity, place, deformation);
+    action.elastic_energy = solidem::beam_energy(bond.rigidity, now.pose, now.deformation);
   if (action.breaks) {
     memory[Row::RUPTURE] = step + 1.0;
-    action.contact_energy = contact(memory[Row::REST_LENGTH], ends).energy;
+    action.contact_energy = contact(bond.rest_length, ends).energy;
     action.fracture_energy = action.elastic_energy - action.contact_energy;
     action.elastic_energy = 0.0;
   }
@@ -158,31 +110,25 @@ SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, 
 }
 
 /* ----------------------------------------------------------------------
-   plastic flow, if any, once a step; the load that acts is that of the shape
-   remembered afterwards, so that a second look at the pose finds the same
+   plastic flow, if any; the equivalent strain that is left. The load that acts
+   is that of the shape remembered afterwards, so that a second look at the pose
+   finds the same
 ------------------------------------------------------------------------- */
 
-bool SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
-                       const YieldingBeam<double>& bond, const State& elastic, double step) const {
-  if (plasticity == NONE || memory[Row::FLOW] == step + 1.0) return false;
-  const double plastic_strain = memory[Row::PLASTIC_STRAIN];
-  State from = elastic;
-  if (plasticity == SCALED_OFFSET) {  // what counts is the deformation since the bond was made
-    from.pose = solidem::beam_pose(ends.chord, vector(memory + Row::REST_DIRECTION),
-                                   ends.orientation_i, ends.orientation_j);
-    from.deformation = solidem::beam_deformation(bond.rest_length, from.pose);
-  }
-  const double strain =
-      solidem::equivalent_strain(bond.radius, bond.shear_ratio, from.pose, from.deformation);
-  const solidem::PlasticFlow<double> flow =
-      plasticity == RADIAL_RETURN ? solidem::radial_return(yield, strain, plastic_strain)
-                                  : solidem::scaled_offset(yield, strain, plastic_strain);
-  if (!(flow.strain > plastic_strain)) return false;
-
-  const double energy = solidem::beam_energy(bond.rigidity, elastic.pose, elastic.deformation);
+double SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
+                         const YieldingBeam<double>& bond, State& now, double step) const {
+  if (plasticity == NONE)
+    return solidem::equivalent_strain(bond.radius, bond.shear_ratio, now.pose, now.deformation);
+  const BeamHistory<double> before = history(memory);
   const solidem::BeamResponse<double> response =
-      solidem::detail::flowed(bond, from.pose, from.deformation, flow, plastic_strain, energy,
-                              ends.orientation_i, ends.orientation_j);
+      plasticity == RADIAL_RETURN
+          ? solidem::radial_return_response(bond, before, ends.chord, ends.orientation_i,
+                                            ends.orientation_j)
+          : solidem::scaled_offset_response(bond, before,
+                                            solidem_vector(memory + Row::REST_DIRECTION),
+                                            ends.chord, ends.orientation_i, ends.orientation_j);
+  if (!(response.history.strain > before.strain)) return response.strain;
+
   store(memory + Row::NORMAL_I, response.history.normal_i);
   store(memory + Row::NORMAL_J, response.history.normal_j);
   memory[Row::EXTENSION] = response.history.extension;
@@ -190,7 +136,8 @@ bool SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
   memory[Row::PLASTIC_STRAIN] = response.history.strain;
   memory[Row::PLASTIC_WORK] += response.plastic_work;
   memory[Row::FLOW] = step + 1.0;
-  return true;
+  now = state(memory, ends, bond.rest_length);
+  return response.strain;
 }
 
 // The push of two atoms whose bond broke, and the energy in it.
@@ -246,17 +193,16 @@ SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondE
     return {length, -solidem::norm(push.force), 0.0, 0.0, push.energy};
   }
   const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
-  const Pose place = pose(memory, ends);
-  const Deformation deformation =
-      solidem::elastic_deformation(bond.rest_length, place, history(memory));
-  const double stress =
-      young_modulus * solidem::equivalent_strain(bond.radius, bond.shear_ratio, place, deformation);
+  const State now = state(memory, ends, bond.rest_length);
+  const Deformation& deformation = now.deformation;
+  const double stress = young_modulus * solidem::equivalent_strain(bond.radius, bond.shear_ratio,
+                                                                   now.pose, deformation);
   const double force =
       bond.rigidity.axial * deformation.inverse_rest_length * deformation.extension;
   if (may_break() && Row::is_cut(memory)) return {length, force, stress, 0.0, 0.0};
   if (may_break() && memory[Row::RUPTURE] != 0.0)
-    return {length, force, stress, 0.0, contact(memory[Row::REST_LENGTH], ends).energy};
-  return {length, force, stress, solidem::beam_energy(bond.rigidity, place, deformation), 0.0};
+    return {length, force, stress, 0.0, contact(bond.rest_length, ends).energy};
+  return {length, force, stress, solidem::beam_energy(bond.rigidity, now.pose, deformation), 0.0};
 }
 
 double SolidemBeam::cut(double* memory, const SolidemBondEnds& ends, double step) const {

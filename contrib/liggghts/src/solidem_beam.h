@@ -10,6 +10,7 @@
 #ifndef LMP_SOLIDEM_BEAM_H
 #define LMP_SOLIDEM_BEAM_H
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -124,16 +125,95 @@ struct SolidemBeam {
   double beam_radius(const SolidemBondEnds& ends) const;
   solidem::YieldingBeam<double> beam(const SolidemBondEnds& ends, double rest_length) const;
   solidem::BeamHistory<double> history(const double* memory) const;
-  Pose pose(const double* memory, const SolidemBondEnds& ends) const;
+  State state(const double* memory, const SolidemBondEnds& ends, double rest_length) const;
   bool acts_as_beam(const double* memory, double step) const;
   bool made_anew(const double* memory, double step) const;
 
   void make(double* memory, const SolidemBondEnds& ends) const;
-  bool flow(double* memory, const SolidemBondEnds& ends, const solidem::YieldingBeam<double>& bond,
-            const State& elastic, double step) const;
+  bool may_reach_limit(const double* memory, const solidem::YieldingBeam<double>& bond,
+                       const State& now) const;
+  double flow(double* memory, const SolidemBondEnds& ends,
+              const solidem::YieldingBeam<double>& bond, State& now, double step) const;
+  SolidemBondAction act_near_limit(double* memory, const SolidemBondEnds& ends,
+                                   const solidem::YieldingBeam<double>& bond, State now,
+                                   double step, bool energies) const;
+  SolidemBondAction act_broken(double* memory, const SolidemBondEnds& ends, double step,
+                               bool energies) const;
   Contact contact(double rest_length, const SolidemBondEnds& ends) const;
   SolidemBondAction act_apart(double* memory, const SolidemBondEnds& ends, double step) const;
 };
+
+inline solidem::Vector3<double> solidem_vector(const double* a) {
+  return {a[0], a[1], a[2]};
+}
+
+// What every bond does in every step stands here, to be compiled into the loop over the bonds.
+
+inline double SolidemBeam::beam_radius(const SolidemBondEnds& ends) const {
+  return radius > 0.0 ? radius : ratio * 0.5 * (ends.radius_i + ends.radius_j);
+}
+
+inline solidem::YieldingBeam<double> SolidemBeam::beam(const SolidemBondEnds& ends,
+                                                       double rest_length) const {
+  const double thickness = beam_radius(ends);
+  const solidem::BeamSection<double> section = {young_modulus, shear_modulus, thickness};
+  if (law == TIMOSHENKO)
+    return {solidem::timoshenko_rigidity(section, rest_length, shear_coefficient), rest_length,
+            thickness, shear_modulus / young_modulus, yield};
+  if (law == SPRING)  // bears no bending and no torsion: neither strains it
+    return {solidem::spring_rigidity(section), rest_length, 0.0, 0.0, yield};
+  return {solidem::euler_bernoulli_rigidity(section), rest_length, thickness,
+          shear_modulus / young_modulus, yield};
+}
+
+inline solidem::BeamHistory<double> SolidemBeam::history(const double* memory) const {
+  typedef SolidemBondMemory Row;
+  const Vector normal_i = solidem_vector(memory + Row::NORMAL_I);
+  if (!may_change()) return solidem::unyielded(normal_i);
+  return {normal_i, solidem_vector(memory + Row::NORMAL_J), memory[Row::EXTENSION],
+          memory[Row::TWIST], memory[Row::PLASTIC_STRAIN]};
+}
+
+inline SolidemBeam::State SolidemBeam::state(const double* memory, const SolidemBondEnds& ends,
+                                             double rest_length) const {
+  const solidem::BeamHistory<double> kept = history(memory);
+  State now;
+  now.pose = solidem::beam_pose(ends.chord, kept.normal_i, kept.normal_j, ends.orientation_i,
+                                ends.orientation_j);
+  now.deformation = solidem::elastic_deformation(rest_length, now.pose, kept);
+  return now;
+}
+
+// Most bonds are far from any limit, which a bound without a root tells.
+inline bool SolidemBeam::may_reach_limit(const double* memory,
+                                         const solidem::YieldingBeam<double>& bond,
+                                         const State& now) const {
+  if (plasticity == SCALED_OFFSET) return true;
+  const double plastic_strain = memory[SolidemBondMemory::PLASTIC_STRAIN];
+  const double yield_strain = yield.yield_strain + yield.hardening_ratio * plastic_strain;
+  const double strain = std::max(rupture.strain - plastic_strain, 0.0);
+  const double limit =
+      bond.rest_length * std::min(std::min(rupture.elastic_strain, strain), yield_strain);
+  return solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, now.pose,
+                                             now.deformation) > limit * limit;
+}
+
+inline SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, double step,
+                                          bool energies) const {
+  if (memory[SolidemBondMemory::REST_LENGTH] == 0.0) make(memory, ends);
+  const bool changes = may_change();
+  if (changes && memory[SolidemBondMemory::RUPTURE] != 0.0)
+    return act_broken(memory, ends, step, energies);
+  const solidem::YieldingBeam<double> bond = beam(ends, memory[SolidemBondMemory::REST_LENGTH]);
+  const State now = state(memory, ends, bond.rest_length);
+  if (changes && may_reach_limit(memory, bond, now))
+    return act_near_limit(memory, ends, bond, now, step, energies);
+  SolidemBondAction action;
+  action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);
+  if (energies)
+    action.elastic_energy = solidem::beam_energy(bond.rigidity, now.pose, now.deformation);
+  return action;
+}
 
 }  // namespace LAMMPS_NS
 

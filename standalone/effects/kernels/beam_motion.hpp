@@ -6,6 +6,7 @@
 #define SOLIDEM_EFFECTS_KERNELS_BEAM_MOTION_HPP
 
 #include <algorithm>
+#include <utility>
 
 #include "effects/kernels/kernels.hpp"
 #include "effects/kernels/pack.hpp"
@@ -134,35 +135,79 @@ inline Pack safe_strain(const BeamMotion& m, const BondPack& bond) {
   return select(greater(yield, rupture), rupture, yield);
 }
 
+/// Radius and G / E of the bonds of a pack of slots.
+template <bool own_rigidity>
+inline std::pair<Pack, Pack> radius_and_shear_ratio(const BeamMotion& m, const SlotPlace& slot,
+                                                    const BondPack& bond) {
+  if constexpr (!own_rigidity) return {Pack(m.radius), Pack(m.shear_ratio)};
+  const Pack radius = Pack::load(m.bond_radius + slot.of(1));
+  // G I_0 / (E S) = G / E r² / 2, whatever the moduli of a bond are.
+  return {radius, Pack(2.0) * bond.rigidity.torsion / (bond.rigidity.axial * radius * radius)};
+}
+
+/// Lanes that may have reached a limit of their bond.
+template <bool turning, bool own_rigidity, BeamFlow flow>
+inline Mask limited(const BeamMotion& m, const SlotPlace& slot, const BondPack& bond,
+                    const Measured& from) {
+  const auto [radius, shear_ratio] = radius_and_shear_ratio<own_rigidity>(m, slot, bond);
+  const Pack safe = safe_strain<flow>(m, bond) * bond.rest_length;
+  const Pack reached = bound_of_squared_extension(radius, shear_ratio, from.pose, from.deformation);
+  const Mask reaching = greater(reached, safe * safe);
+  // An empty slot is shorter than at rest, unless it remembers that it has shrunk to nothing.
+  if constexpr (flow == BeamFlow::radial_return) return reaching;
+  const PackVector& x = from.deformation.direction;
+  return both(reaching, greater(dot(x, x), Pack(0.5)));
+}
+
+/// What a pack of slots does to its elements.
+struct SlotLoad {
+  PackVector force, moment;
+  Pack work;  ///< half of the plastic work of this step
+};
+
 /// Loads of bonds of which some may have reached a limit: they flow, which is kept, and those that
-/// break are reported. `work` gains half of the plastic work.
-template <bool turning, BeamFlow flow>
-inline BeamLoad<Pack> limited_load(const BeamMotion& m, const SlotPlace& slot, const BondPack& bond,
-                                   const Measured& from, const Pack& radius,
-                                   const Pack& shear_ratio, Mask present,
-                                   const Quaternion<Pack>& turned,
-                                   const Quaternion<Pack>& other_turned, Pack& work) {
-  BeamLoad<Pack> load = load_of<turning>(bond);
-  Pack strain = equivalent_strain(radius, shear_ratio, from.pose, from.deformation);
-  Pack plastic_strain = bond.history.strain;
+/// break are reported. Apart from the hot loop, whose registers it would take.
+template <bool turning, bool own_rigidity, BeamFlow flow>
+[[gnu::noinline]] SlotLoad limited_load(const BeamMotion& m, std::size_t element,
+                                        const SlotPlace& slot) {
+  const Row own = Row::load(m.pose + 8 * element);
+  const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
+  PackVector chord = centre(other) - centre(own);
+  if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
+  const Quaternion<Pack> turned = orientation(own), other_turned = orientation(other);
+  const Rotation<Pack> rotation(turned);
+  const BondPack bond = bonds_in<turning, own_rigidity, flow>(m, slot, chord, rotation,
+                                                              conjugate(turned), other_turned);
+  const Measured from = measured<turning, flow>(m, slot, bond, rotation, other_turned);
+  const auto [radius, shear_ratio] = radius_and_shear_ratio<own_rigidity>(m, slot, bond);
+  const PackVector& x = from.deformation.direction;
+  const Mask present = greater(dot(x, x), Pack(0.5));
+
+  SlotLoad result{};
+  Pack strain{}, plastic_strain = bond.history.strain;
   if constexpr (remembers(flow)) {
-    const BeamYield<Pack> yield{Pack(m.yield.yield_strain), Pack(m.yield.hardening_ratio)};
-    const PlasticFlow<Pack> step = flow == BeamFlow::radial_return
-                                       ? radial_return(yield, strain, plastic_strain)
-                                       : scaled_offset(yield, strain, plastic_strain);
-    const Mask flowing = both(present, greater(step.strain, plastic_strain));
-    if constexpr (flow == BeamFlow::scaled_offset)
-      strain = equivalent_strain(radius, shear_ratio, bond.pose, bond.deformation);
+    const YieldingBeam<Pack> beam{bond.rigidity,
+                                  bond.rest_length,
+                                  radius,
+                                  shear_ratio,
+                                  {Pack(m.yield.yield_strain), Pack(m.yield.hardening_ratio)}};
+    BeamResponse<Pack> response;
+    if constexpr (flow == BeamFlow::radial_return)
+      response = radial_return_response(beam, bond.history, bond.pose, bond.deformation, turned,
+                                        other_turned);
+    else
+      response = scaled_offset_response(beam, bond.history, bond.pose, bond.deformation, from.pose,
+                                        from.deformation, turned, other_turned);
+    const BeamHistory<Pack>& before = bond.history;
+    const BeamHistory<Pack>& after = response.history;
+    const Mask flowing = both(present, greater(after.strain, before.strain));
+    result = {response.load.force, response.load.moment_i, {}};
+    strain = response.strain;
     if (any(flowing)) {
-      const BeamResponse<Pack> response = detail::flowed<Pack>(
-          {bond.rigidity, bond.rest_length, radius, shear_ratio, yield}, from.pose,
-          from.deformation, step, plastic_strain,
-          beam_energy(bond.rigidity, bond.pose, bond.deformation), turned, other_turned);
-      const BeamHistory<Pack>& before = bond.history;
-      const BeamHistory<Pack>& after = response.history;
-      select(flowing, after.extension, before.extension).store(m.plastic_extension + slot.of(1));
+      result.work = select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0));
       plastic_strain = select(flowing, after.strain, before.strain);
       plastic_strain.store(m.plastic_strain + slot.of(1));
+      select(flowing, after.extension, before.extension).store(m.plastic_extension + slot.of(1));
       if constexpr (turning) {
         store_vector(select(flowing, after.normal_i, before.normal_i),
                      m.section_normal + slot.of(3));
@@ -170,11 +215,19 @@ inline BeamLoad<Pack> limited_load(const BeamMotion& m, const SlotPlace& slot, c
                      m.far_section_normal + slot.of(3));
         select(flowing, after.twist, before.twist).store(m.plastic_twist + slot.of(1));
       }
-      strain = select(flowing, response.strain, strain);
-      load.force = select(flowing, response.load.force, load.force);
-      load.moment_i = select(flowing, response.load.moment_i, load.moment_i);
-      work += select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0));
+      if constexpr (flow == BeamFlow::scaled_offset) {
+        // Lanes that do not flow keep the shape they had, which is not that of the response.
+        const BeamLoad<Pack> kept = load_of<turning>(bond);
+        result.force = select(flowing, result.force, kept.force);
+        result.moment = select(flowing, result.moment, kept.moment_i);
+        strain = select(flowing, strain,
+                        equivalent_strain(radius, shear_ratio, bond.pose, bond.deformation));
+      }
     }
+  } else {
+    const BeamLoad<Pack> load = load_of<turning>(bond);
+    result = {load.force, load.moment_i, {}};
+    strain = equivalent_strain(radius, shear_ratio, bond.pose, bond.deformation);
   }
   const BeamRupture<Pack> rupture{Pack(m.rupture.elastic_strain), Pack(m.rupture.strain)};
   const Mask breaking = both(present, breaks(rupture, strain, plastic_strain));
@@ -183,7 +236,7 @@ inline BeamLoad<Pack> limited_load(const BeamMotion& m, const SlotPlace& slot, c
       if (breaking[k])
         m.breaking->push_back(static_cast<std::uint32_t>(slot.of(1)) +
                               static_cast<std::uint32_t>(k));
-  return load;
+  return result;
 }
 
 template <bool turning, bool own_rigidity, BeamFlow flow>
@@ -215,29 +268,17 @@ void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
         const Quaternion<Pack> other_turned = orientation(other);
         const BondPack bond = bonds_in<turning, own_rigidity, flow>(m, slot, chord, rotation,
                                                                     turned_back, other_turned);
-        BeamLoad<Pack> load;
-        if constexpr (flow == BeamFlow::none) {
-          load = load_of<turning>(bond);
-        } else {
-          const Pack radius =
-              own_rigidity ? Pack::load(m.bond_radius + slot.of(1)) : Pack(m.radius);
-          // G I_0 / (E S) = G / E r² / 2, whatever the moduli of a bond are.
-          const Pack shear_ratio = own_rigidity ? Pack(2.0) * bond.rigidity.torsion /
-                                                      (bond.rigidity.axial * radius * radius)
-                                                : Pack(m.shear_ratio);
+        if constexpr (flow != BeamFlow::none) {
           const Measured from = measured<turning, flow>(m, slot, bond, rotation, other_turned);
-          const Pack safe = safe_strain<flow>(m, bond) * bond.rest_length;
-          // An empty slot has a chord and a direction of zero.
-          const Mask present =
-              greater(dot(from.deformation.direction, from.deformation.direction), Pack(0.5));
-          const Pack reached =
-              bound_of_squared_extension(radius, shear_ratio, from.pose, from.deformation);
-          if (any(both(present, greater(reached, safe * safe))))
-            load = limited_load<turning, flow>(m, slot, bond, from, radius, shear_ratio, present,
-                                               turned, other_turned, work);
-          else
-            load = load_of<turning>(bond);
+          if (__builtin_expect(any(limited<turning, own_rigidity, flow>(m, slot, bond, from)), 0)) {
+            const SlotLoad load = limited_load<turning, own_rigidity, flow>(m, element, slot);
+            force += load.force;
+            moment += load.moment;
+            work += load.work;
+            continue;
+          }
         }
+        const BeamLoad<Pack> load = load_of<turning>(bond);
         force += load.force;
         if constexpr (turning) moment += load.moment_i;
       }
