@@ -16,6 +16,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 import matplotlib
@@ -56,6 +57,17 @@ def hankinson(along: float, across: float, angle: NDArray[np.float64]) -> NDArra
     return along * across / (along * np.sin(angle) ** 2 + across * np.cos(angle) ** 2)
 
 
+def of_targets(scene: str, angle: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What a body that met every target of the scene would have in the plane of L and T, GPa."""
+    targets = tomllib.loads(scene)["calibration"]
+    gigapascal = {name: float(text.removesuffix(" GPa"))
+                  for group in ("young_moduli", "shear_moduli")
+                  for name, text in targets[group].items()}
+    c2, s2 = np.cos(angle) ** 2, np.sin(angle) ** 2
+    mixed = 1 / gigapascal["LT"] - 2 * targets["poisson_ratios"]["LT"] / gigapascal["L"]
+    return 1 / (c2**2 / gigapascal["L"] + s2**2 / gigapascal["T"] + c2 * s2 * mixed)
+
+
 def main(program: Path, scene_file: Path, folder: Path) -> None:
     scene = scene_file.read_text()
     moduli = np.empty((len(ANGLES), len(SEEDS)))
@@ -79,13 +91,15 @@ def main(program: Path, scene_file: Path, folder: Path) -> None:
     with (folder / "wood_off_axis.csv").open("w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["angle_degree", "measured_GPa", "deviation_GPa", "transformed_GPa",
-                         "hankinson_GPa"])
-        for row in zip(ANGLES, mean, spread, exact(ANGLES), by_hankinson(ANGLES)):
+                         "targets_GPa", "hankinson_GPa"])
+        for row in zip(ANGLES, mean, spread, exact(ANGLES), of_targets(scene, np.radians(ANGLES)),
+                       by_hankinson(ANGLES)):
             writer.writerow([f"{row[0]:d}", *(f"{value:.4g}" for value in row[1:])])
 
     fine = np.linspace(0, 90, 181)
     figure, axes = plt.subplots(figsize=(6, 4), layout="constrained")
     axes.plot(fine, exact(fine), label="orthotropic transformation of the body at 0°")
+    axes.plot(fine, of_targets(scene, np.radians(fine)), ":", label="the same of the targets")
     axes.plot(fine, by_hankinson(fine), "--", label="Hankinson, between the ends")
     axes.errorbar(ANGLES, mean, spread, fmt="ko", capsize=3, ms=4,
                   label="measured, grain turned (three packings)")
