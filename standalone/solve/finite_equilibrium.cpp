@@ -22,7 +22,7 @@ class Search {
       : body_(body),
         conditions_(conditions),
         options_(options),
-        solver_(body.elements(), body.network().bonds, conditions.held, body.length(),
+        solver_(*body.network().specimen, body.network().bonds, conditions.held, body.length(),
                 options.method) {
     pose_ = body.rest_pose();
   }

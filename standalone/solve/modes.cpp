@@ -86,7 +86,7 @@ std::vector<Mode> lowest_modes(const BeamNetwork& network,
                                int count, const Equilibrium* about, const ModesOptions& options) {
   const BondedBody body(network);
   const BoundaryConditions conditions = boundary_conditions(body, constraints, {});
-  StiffnessSolver solver(body.elements(), network.bonds, conditions.held, body.length(),
+  StiffnessSolver solver(*network.specimen, network.bonds, conditions.held, body.length(),
                          options.method);
   const auto bonds = about == nullptr ? body.rest() : body.bonds_at(body.pose_of(*about));
   solver.assemble([&](std::size_t b) { return tangent(bonds[b]); });

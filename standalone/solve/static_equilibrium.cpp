@@ -34,7 +34,7 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
                               const EquilibriumOptions& options) {
   const BondedBody body(network);
   const BoundaryConditions conditions = boundary_conditions(body, constraints, loads);
-  StiffnessSolver solver(body.elements(), network.bonds, conditions.held, body.length(),
+  StiffnessSolver solver(*network.specimen, network.bonds, conditions.held, body.length(),
                          options.method);
   solver.assemble([&](std::size_t b) { return tangent(body.rest()[b]); });
   insist_on_resistance(solver, body, conditions.load);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/OrderingMethods>
+#include <map>
 
 #include "effects/effect.hpp"
 
@@ -25,6 +26,10 @@ constexpr std::size_t least_chunks = 2;
 constexpr double iterations_of_length = 10;
 /// Time of an iteration for each entry of K, in operations of a factorisation.
 constexpr double cost_of_iteration = 0.5;
+
+/// Parts of a body that move as rigid ones in the coarse body: as many as make the fewest
+/// iterations for their cost.
+constexpr std::size_t most_parts = 160, least_rows_of_part = 48;
 
 auto segment(std::vector<double>& v, std::size_t row) {
   return Eigen::Map<Eigen::Matrix<double, 6, 1>>(v.data() + 6 * row);
@@ -51,9 +56,10 @@ double inner_product(const std::vector<double>& a, const std::vector<double>& b)
 
 }  // namespace
 
-StiffnessSolver::StiffnessSolver(std::size_t elements, const std::vector<Pair>& bonds,
+StiffnessSolver::StiffnessSolver(const Specimen& specimen, const std::vector<Pair>& bonds,
                                  std::vector<char> held, double length, LinearMethod method)
-    : bonds_(bonds), held_(std::move(held)), length_(length), row_of_(elements, -1) {
+    : bonds_(bonds), held_(std::move(held)), length_(length), row_of_(specimen.size(), -1) {
+  const std::size_t elements = specimen.size();
   std::vector<char> bonded(elements, 0);
   for (const Pair& pair : bonds_)
     bonded[static_cast<std::size_t>(pair.i)] = bonded[static_cast<std::size_t>(pair.j)] = 1;
@@ -66,6 +72,7 @@ StiffnessSolver::StiffnessSolver(std::size_t elements, const std::vector<Pair>& 
   }
   make_rows();
   choose(method);
+  if (!factorised_) make_parts(specimen);
 }
 
 void StiffnessSolver::make_rows() {
@@ -178,7 +185,7 @@ void StiffnessSolver::assemble(const std::function<BondTangent(std::size_t)>& ta
     diagonal(static_cast<std::int32_t>(r)).diagonal().array() += shift;
   hold();
   resist_everything();
-  if (factorised_) factorise();
+  factorised_ ? factorise() : assemble_parts();
 }
 
 void StiffnessSolver::hold() {
@@ -218,6 +225,83 @@ void StiffnessSolver::resist_everything() {
     }
     inverse_[r] = factor.solve(Block::Identity());
   }
+}
+
+void StiffnessSolver::make_parts(const Specimen& specimen) {
+  // Rows follow the order of the specimen, in which neighbours are near.
+  const std::size_t rows = element_of_.size();
+  rows_of_part_ = std::max(least_rows_of_part, rows / most_parts + 1);
+  parts_ = (rows + rows_of_part_ - 1) / rows_of_part_;
+  if (parts_ < 2) parts_ = 0;
+  for (std::size_t r = 0; r < rows && parts_ > 0; ++r) {
+    const std::int32_t first = element_of_[r - r % rows_of_part_], element = element_of_[r];
+    const Vector arm = (1 / length_) * rest_chord(specimen, {first, element});
+    arm_.emplace_back(arm.x, arm.y, arm.z);
+    free_.emplace_back(Segment::Ones());
+    for (int a = 0; a < 6; ++a)
+      if (held_[6 * static_cast<std::size_t>(element) + static_cast<std::size_t>(a)] != 0)
+        free_.back()[a] = 0;
+  }
+}
+
+StiffnessSolver::Block StiffnessSolver::rigid_motion(std::size_t row) const {
+  const Eigen::Vector3d& arm = arm_[row];
+  Block rigid = Block::Identity();
+  rigid.topRightCorner<3, 3>() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
+  return free_[row].asDiagonal() * rigid;
+}
+
+void StiffnessSolver::assemble_parts() {
+  if (parts_ == 0) return;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t part = 0; part < parts_; ++part) {
+    std::map<std::size_t, Block> row_of_parts;
+    const std::size_t end = std::min((part + 1) * rows_of_part_, element_of_.size());
+    for (std::size_t r = part * rows_of_part_; r < end; ++r)
+      for (std::int32_t k = start_[r]; k < start_[r + 1]; ++k) {
+        const auto c = static_cast<std::size_t>(column_[static_cast<std::size_t>(k)]);
+        Block& sum = row_of_parts.try_emplace(c / rows_of_part_, Block::Zero()).first->second;
+        sum += rigid_motion(r).transpose() * block_[static_cast<std::size_t>(k)] * rigid_motion(c);
+      }
+    // A part that is held, or straight, has motions that meet no resistance.
+    Block& diagonal = row_of_parts[part];
+    diagonal.diagonal().array() += 1e-8 * diagonal.trace();
+    for (const auto& [other, block] : row_of_parts)
+      for (int a = 0; a < 6; ++a)
+        for (int b = 0; b < 6; ++b)
+          entries.emplace_back(static_cast<int>(6 * part) + a, static_cast<int>(6 * other) + b,
+                               block(a, b));
+  }
+  const auto size = static_cast<Eigen::Index>(6 * parts_);
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  coarse_.compute(matrix);
+  coarse_is_positive_ = coarse_.info() == Eigen::Success && coarse_.vectorD().minCoeff() > 0;
+}
+
+void StiffnessSolver::add_coarse(const std::vector<double>& residual,
+                                 std::vector<double>& z) const {
+  if (parts_ == 0 || !coarse_is_positive_) return;
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * parts_));
+  const auto over_parts = [&](const auto& work) {
+    for_blocks(parts_, 16, [&](std::size_t first, std::size_t last) {
+      for (std::size_t part = first; part < last; ++part)
+        for (std::size_t r = part * rows_of_part_;
+             r < std::min((part + 1) * rows_of_part_, element_of_.size()); ++r)
+          work(static_cast<Eigen::Index>(6 * part), r);
+    });
+  };
+  over_parts([&](Eigen::Index part, std::size_t r) {
+    const Segment force = free_[r].cwiseProduct(segment(residual, r));
+    load.segment<6>(part) += force;
+    load.segment<3>(part + 3) += arm_[r].cross(force.head<3>());
+  });
+  const Eigen::VectorXd motion = coarse_.solve(load);
+  over_parts([&](Eigen::Index part, std::size_t r) {
+    Segment moved = motion.segment<6>(part);
+    moved.head<3>() -= arm_[r].cross(moved.tail<3>());
+    segment(z, r) += free_[r].cwiseProduct(moved);
+  });
 }
 
 StiffnessSolver::Unresisted StiffnessSolver::unresisted(const Eigen::VectorXd& b) const {
@@ -332,6 +416,7 @@ StiffnessSolver::Result StiffnessSolver::iterate(const Eigen::VectorXd& b, Eigen
     segment(residual, r) -= segment(image, r);
     segment(z, r) = inverse_[r] * segment(residual, r);
   });
+  add_coarse(residual, z);
   p = z;
   double rz = inner_product(residual, z);
   Result result;
@@ -353,6 +438,7 @@ StiffnessSolver::Result StiffnessSolver::iterate(const Eigen::VectorXd& b, Eigen
       segment(residual, r) -= step * segment(image, r);
       segment(z, r).noalias() = inverse_[r] * segment(residual, r);
     });
+    add_coarse(residual, z);
     const double next = inner_product(residual, z), ratio = next / rz;
     rz = next;
     over_rows([&](std::size_t r) { segment(p, r) = segment(z, r) + ratio * segment(p, r); });

@@ -22,12 +22,12 @@ namespace solidem {
 /// element (turns of springs) stay zero.
 ///
 /// Two ways: a complete factorisation (LDLᵀ), which pays for slender bodies, or conjugate gradients
-/// behind the inverses of the diagonal blocks.
+/// behind the inverses of the diagonal blocks and a coarse body, whose parts move as rigid ones.
 class StiffnessSolver {
  public:
   /// `held`: six for each element, non-zero where the degree of freedom is held; elements without a
   /// bond are held in all. `length`: by which turns are multiplied, m.
-  StiffnessSolver(std::size_t elements, const std::vector<Pair>& bonds, std::vector<char> held,
+  StiffnessSolver(const Specimen& specimen, const std::vector<Pair>& bonds, std::vector<char> held,
                   double length, LinearMethod method);
 
   /// Sets K from the tangent of each bond; `shift` is added on the diagonal, N/m.
@@ -75,6 +75,12 @@ class StiffnessSolver {
     return block_[static_cast<std::size_t>(start_[static_cast<std::size_t>(row)])];
   }
   void hold();
+  void make_parts(const Specimen& specimen);
+  /// How an element moves with the six rigid motions of its part.
+  Block rigid_motion(std::size_t row) const;
+  void assemble_parts();
+  /// Adds what the parts' rigid motions make of a residual.
+  void add_coarse(const std::vector<double>& residual, std::vector<double>& z) const;
   void resist_everything();
   void factorise();
   Result factor_solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
@@ -97,6 +103,14 @@ class StiffnessSolver {
     Segment along;
   };
   std::vector<Direction> unresisted_;
+
+  // Neighbouring rows form parts; the arm of each element in its part, over length.
+  std::size_t parts_ = 0, rows_of_part_ = 1;
+  std::vector<Eigen::Vector3d> arm_;
+  std::vector<Segment> free_;  // one where free, zero where held
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> coarse_;
+
+  bool coarse_is_positive_ = true;
 
   bool factorised_ = false, positive_ = true;
   std::vector<std::int32_t> order_;  // place in the factor, of each row
