@@ -85,6 +85,16 @@ def _motion_columns(parameters: Parameters) -> dict[str, str]:
     return {name: words for name, words in MOTION.items() if name not in absent}
 
 
+def _imposed_energy(job: Job) -> float:
+    """Energy of motion that grips impose, J, which counts nowhere."""
+    radius = job.specimen.radius
+    mass = (sphere_density(job.specimen, json.loads(job.explained.read_text()))
+            * 4 / 3 * np.pi * radius**3)
+    return sum(0.5 * float(mass[job.specimen.sets[f"grip.{grip.name}"]].sum())
+               * sum(v * v for v in grip.velocity if v is not None)
+               for grip in job.parameters.grips)
+
+
 def _history_lines(parameters: Parameters, every: int) -> str:
     """Energies, and forces of bonds on the grips, go to history.txt."""
     lines = ("compute speed all ke\ncompute spin all erotate/sphere\n"
@@ -237,6 +247,7 @@ class Liggghts:
         history |= {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
         names = list(_motion_columns(job.parameters))
         history |= {name: rows[:, 1 + n] for n, name in enumerate(names)}
+        history["kinetic_energy"] -= _imposed_energy(job)
         for number, grip in enumerate(job.parameters.grips):
             for axis, name in enumerate("xyz"):
                 speed = grip.velocity[axis]

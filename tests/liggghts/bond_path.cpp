@@ -64,10 +64,13 @@ int main(int argc, char** argv) {
             : solidem::radial_return_response(beam, history, pose.chord, pose.first, pose.second);
     history = response.history;
     work += response.plastic_work;
+    const auto kept =
+        solidem::beam_pose(pose.chord, history.normal_i, history.normal_j, pose.first, pose.second);
+    const double strain = solidem::equivalent_strain(
+        beam.radius, beam.shear_ratio, kept, solidem::elastic_deformation(length, kept, history));
     print(response.load.force);
     print(response.load.moment_i);
     print(response.load.moment_j);
-    std::printf("%.17g %.17g %.17g %.17g\n", response.strain, history.strain, response.energy,
-                work);
+    std::printf("%.17g %.17g %.17g %.17g\n", strain, history.strain, response.energy, work);
   }
 }
