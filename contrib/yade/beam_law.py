@@ -173,11 +173,11 @@ class BeamLaw:
         return (force, 3 * shear * np.cross(d.a_i, d.x) - opening + torque,
                 3 * shear * np.cross(d.a_j, d.x) + opening - torque)
 
-    def _flow(self, elastic: Floats, whole: Floats) -> tuple[Floats, Floats]:
-        """Share p that remains of the deformation and plastic strain afterwards."""
+    def _flow(self, elastic: Floats, whole: Floats) -> tuple[Floats, Floats, Floats]:
+        """Share p that remains of the deformation, plastic and elastic strain afterwards."""
         flow, plastic = self.flow, self.history.strain
         if flow is None:
-            return np.ones_like(elastic), plastic
+            return np.ones_like(elastic), plastic, elastic
         h = flow.hardening_ratio
         if flow.scaled_offset:
             # One monotonic curve of the strain since the bond was made; back along it, elastic.
@@ -188,7 +188,8 @@ class BeamLaw:
             stress, before = (reached + h * elastic) / (1 + h), plastic
         flows = strain > reached
         share = np.where(flows, stress / np.where(flows, strain, 1), 1.0)
-        return share, np.where(flows, before + strain - stress, plastic)
+        return (share, np.where(flows, before + strain - stress, plastic),
+                np.where(flows, stress, elastic))
 
     def respond(self, chord: Floats, of_i: Floats, of_j: Floats) -> Response:
         """Loads of chords (B, 3) from i to j and orientations (B, 4) = w, x, y, z of both ends."""
@@ -201,7 +202,7 @@ class BeamLaw:
             start = self._deformation(
                 chord, of_i, of_j,
                 History(bonds.rest_direction, bonds.rest_direction, none, none, none))
-        share, plastic = self._flow(elastic, self._strain(start))
+        share, plastic, strain = self._flow(elastic, self._strain(start))
         flows = (plastic > old.strain) & self.intact
 
         def leant(normal: Floats, unmoved: Floats) -> Floats:
@@ -220,24 +221,28 @@ class BeamLaw:
             np.where(flows, found.length - bonds.rest_length - left.extension, old.extension),
             np.where(flows, _dot(u, a_i + a_j) - left.twist, old.twist),
             np.where(flows, plastic, old.strain))
-        strain, energy = self._strain(left), self._energy(left)
+        energy = self._energy(left)
         loads = [np.where(self.intact[:, None], load, 0.0)
                  for load in self._loads(left, of_i, of_j)]
         return Response(
             *loads, history, strain, np.where(self.intact, energy, 0.0),
-            self._work(old.strain, history.strain, energy, stored, flows),
+            self._work(old.strain, history.strain, energy, stored, share, flows),
             self.intact & ((strain > self.largest_stress)
                            | (strain + history.strain > self.largest_strain)))
 
     def _work(self, plastic_before: Floats, plastic: Floats, energy: Floats, stored: Floats,
-              flows: Flags) -> Floats:
-        """Work of the loads that remain along the flow, 2 (sqrt(U U') − U'), and of what they gain
-        by hardening on the way."""
+              share: Floats, flows: Flags) -> Floats:
+        """Work of the loads that remain along the flow, 2 p (1 − p) U of the energy U before it, with
+        half of what they gain by hardening on the way; the scaled offset may leave another share of
+        the energy than p², which is measured."""
         if self.flow is None:
             return np.zeros_like(energy)
-        limit, h = self.flow.strain, self.flow.hardening_ratio
-        mean = 1 + (limit + h * plastic_before) / (limit + h * plastic)
-        return np.where(flows, mean * (np.sqrt(energy * stored) - energy), 0.0)
+        if self.flow.scaled_offset:
+            left, mean = np.sqrt(energy / np.where(stored > 0, stored, 1)), 2.0
+        else:
+            limit, h = self.flow.strain, self.flow.hardening_ratio
+            left, mean = share, 1 + (limit + h * plastic_before) / (limit + h * plastic)
+        return np.where(flows, mean * left * (1 - left) * stored, 0.0)
 
     def keep(self, response: Response) -> None:
         """Accepts the pose that the response belongs to."""
