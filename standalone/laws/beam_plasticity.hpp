@@ -169,23 +169,22 @@ template <class Real>
 constexpr BeamResponse<Real> flowed(const YieldingBeam<Real>& beam, const BeamPose<Real>& from,
                                     const BeamDeformation<Real>& deformation,
                                     const PlasticFlow<Real>& flow, const Real& plastic_strain,
-                                    const Real& energy_before, const Real& remaining,
-                                    const Quaternion<Real>& orientation_i,
+                                    const Real& plastic_extension, const Real& energy_before,
+                                    const Real& remaining, const Quaternion<Real>& orientation_i,
                                     const Quaternion<Real>& orientation_j) {
   const BeamPose<Real> pose = relaxed(from, deformation.direction, flow.share);
   BeamDeformation<Real> left = deformation;
   left.extension = flow.share * deformation.extension;
   left.twist = flow.share * deformation.twist;
-  // The extension of the pose since the bond was made is that of any history.
   const Real one{1.0};
-  const Real length = dot(from.chord, deformation.direction);
   const Real twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
   const Real stress_before = beam.yield.yield_strain + beam.yield.hardening_ratio * plastic_strain;
   const Real stress_after = beam.yield.yield_strain + beam.yield.hardening_ratio * flow.strain;
   return {beam_load(beam.rigidity, pose, left),
           {rotate(conjugate(orientation_i), pose.normal_i),
            rotate(conjugate(orientation_j), pose.normal_j),
-           length - beam.rest_length - left.extension, twist - left.twist, flow.strain},
+           plastic_extension + (deformation.extension - left.extension), twist - left.twist,
+           flow.strain},
           flow.elastic_strain,
           beam_energy(beam.rigidity, pose, left),
           (one + stress_before / stress_after) * remaining * (one - remaining) * energy_before};
@@ -207,8 +206,8 @@ constexpr BeamResponse<Real> radial_return_response(const YieldingBeam<Real>& be
   const Real energy = beam_energy(beam.rigidity, pose, deformation);
   if (!any(greater(flow.strain, history.strain)))
     return {beam_load(beam.rigidity, pose, deformation), history, strain, energy, Real{0.0}};
-  return detail::flowed(beam, pose, deformation, flow, history.strain, energy, flow.share,
-                        orientation_i, orientation_j);
+  return detail::flowed(beam, pose, deformation, flow, history.strain, history.extension, energy,
+                        flow.share, orientation_i, orientation_j);
 }
 
 /// The same from where the ends stand.
@@ -240,8 +239,9 @@ constexpr BeamResponse<Real> scaled_offset_response(
   if (!any(greater(flow.strain, history.strain)))
     return {beam_load(beam.rigidity, pose, deformation), history,
             equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation), energy, Real{0.0}};
-  BeamResponse<Real> response = detail::flowed(beam, whole, whole_deformation, flow, history.strain,
-                                               energy, Real{1.0}, orientation_i, orientation_j);
+  BeamResponse<Real> response =
+      detail::flowed(beam, whole, whole_deformation, flow, history.strain, Real{0.0}, energy,
+                     Real{1.0}, orientation_i, orientation_j);
   // In reverse flow the energy may be left in any share, so that share is measured.
   const Real some = select(greater(energy, Real{0.0}), energy, Real{1.0});
   const Real remaining = sqrt(response.energy / some);
