@@ -84,7 +84,7 @@ SolidemBondAction SolidemBeam::act_broken(double* memory, const SolidemBondEnds&
   const State now = state(memory, ends, bond.rest_length);
   SolidemBondAction action;
   action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);
-  if (!Row::is_cut(memory)) action.contact_energy = contact(bond.rest_length, ends).energy;
+  if (!Row::is_cut(memory)) action.contact_energy = contact(memory, ends).energy;
   return action;
 }
 
@@ -102,7 +102,7 @@ SolidemBondAction SolidemBeam::act_near_limit(double* memory, const SolidemBondE
     action.elastic_energy = solidem::beam_energy(bond.rigidity, now.pose, now.deformation);
   if (action.breaks) {
     memory[Row::RUPTURE] = step + 1.0;
-    action.contact_energy = contact(bond.rest_length, ends).energy;
+    action.contact_energy = contact(memory, ends).energy;
     action.fracture_energy = action.elastic_energy - action.contact_energy;
     action.elastic_energy = 0.0;
   }
@@ -141,10 +141,12 @@ double SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
 }
 
 // The push of two atoms whose bond broke, and the energy in it.
-SolidemBeam::Contact SolidemBeam::contact(double rest_length, const SolidemBondEnds& ends) const {
+SolidemBeam::Contact SolidemBeam::contact(const double* memory, const SolidemBondEnds& ends) const {
   if (contact_ratio == 0.0) return {Vector{}, 0.0};
+  const double rest_length = memory[Row::REST_LENGTH];
   const double stiffness = contact_ratio * beam(ends, rest_length).rigidity.axial / rest_length;
-  const double distance = solidem::contact_distance(rest_length, ends.radius_i + ends.radius_j);
+  const double distance =
+      solidem::contact_distance(rest_length, memory[Row::EXTENSION], ends.radius_i + ends.radius_j);
   return {solidem::contact_force(stiffness, distance, ends.chord),
           solidem::contact_energy(stiffness, distance, ends.chord)};
 }
@@ -159,7 +161,7 @@ SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& 
   SolidemBondAction action;
   if (Row::is_gone(memory)) return action;
   if (made_anew(memory, step)) {
-    action.load.force = contact(memory[Row::FLOW], ends).force;
+    action.load.force = (-memory[Row::FLOW] / solidem::norm(ends.chord)) * ends.chord;
     return action;
   }
   const double far = REACH_OF_CONTACT * (ends.radius_i + ends.radius_j);
@@ -167,12 +169,13 @@ SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& 
     memory[Row::RUPTURE] = Row::GONE;
     return action;
   }
-  const Contact push = contact(memory[Row::REST_LENGTH], ends);
+  const Contact push = contact(memory, ends);
   action.load.force = push.force;
   const double thickness = beam_radius(ends);
-  action.forms = solidem::norm(push.force) > rebonding_pressure * M_PI * thickness * thickness;
+  const double strength = solidem::norm(push.force);
+  action.forms = strength > rebonding_pressure * M_PI * thickness * thickness;
   if (action.forms) {
-    memory[Row::FLOW] = memory[Row::REST_LENGTH];
+    memory[Row::FLOW] = strength;
     make(memory, ends);
     memory[Row::RUPTURE] = -(step + 2.0);
     action.fracture_energy = push.energy;
@@ -185,11 +188,10 @@ SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& 
 SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondEnds& ends,
                                         double step) const {
   const double length = solidem::norm(ends.chord);
-  if (made_anew(memory, step))
-    return {length, -solidem::norm(contact(memory[Row::FLOW], ends).force), 0.0, 0.0, 0.0};
+  if (made_anew(memory, step)) return {length, -memory[Row::FLOW], 0.0, 0.0, 0.0};
   if (!acts_as_beam(memory, step)) {
     if (Row::is_gone(memory)) return {length, 0.0, 0.0, 0.0, 0.0};
-    const Contact push = contact(memory[Row::REST_LENGTH], ends);
+    const Contact push = contact(memory, ends);
     return {length, -solidem::norm(push.force), 0.0, 0.0, push.energy};
   }
   const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
@@ -201,7 +203,7 @@ SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondE
       bond.rigidity.axial * deformation.inverse_rest_length * deformation.extension;
   if (may_break() && Row::is_cut(memory)) return {length, force, stress, 0.0, 0.0};
   if (may_break() && memory[Row::RUPTURE] != 0.0)
-    return {length, force, stress, 0.0, contact(bond.rest_length, ends).energy};
+    return {length, force, stress, 0.0, contact(memory, ends).energy};
   return {length, force, stress, solidem::beam_energy(bond.rigidity, now.pose, deformation), 0.0};
 }
 

@@ -32,7 +32,7 @@ struct SolidemBondMemory {
     PLASTIC_WORK = 10,   ///< so far
     RUPTURE = 11,  ///< 0: whole; s + 1: broke at step s; s + 1.5: cut at step s; -(s + 2): made
                    ///< anew at step s, from the next one on it is whole; GONE: apart for good
-    FLOW = 12,     ///< s + 1: last flowed at step s; when made anew, the rest length before
+    FLOW = 12,     ///< s + 1: last flowed at step s; when made anew, the push at that step
     REST_DIRECTION = 13,  ///< 3: direction when it was made, in body axes
   };
   /// Numbers of a bond that is elastic; may flow or break; flows by the scaled offset.
@@ -139,7 +139,7 @@ struct SolidemBeam {
                                    double step, bool energies) const;
   SolidemBondAction act_broken(double* memory, const SolidemBondEnds& ends, double step,
                                bool energies) const;
-  Contact contact(double rest_length, const SolidemBondEnds& ends) const;
+  Contact contact(const double* memory, const SolidemBondEnds& ends) const;
   SolidemBondAction act_apart(double* memory, const SolidemBondEnds& ends, double step) const;
 };
 
