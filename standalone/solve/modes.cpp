@@ -101,7 +101,7 @@ std::vector<Mode> lowest_modes(const BeamNetwork& network,
 
   const auto solve = [&](const Eigen::VectorXd& b) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
-    if (!solver.solve(b, x, 1e-9).positive)
+    if (!solver.solve(b, x, 1e-7).positive)
       throw RunError("no vibrations: the body is not in stable equilibrium");
     return x;
   };
