@@ -255,6 +255,8 @@ BeamMotion Beams::motion(Model& model) const {
   BeamMotion motion{};
   motion.flow = flow_;
   motion.turning = demands_.turning();
+  motion.single_precision = demands_.elasticity.precision == BeamParameters::Precision::mixed;
+  motion.length_unit = mean_radius(model.specimen());
   motion.first_row = model.slots().first_row();
   motion.neighbour = model.slots().neighbours();
   motion.pose = model.data(columns::pose);

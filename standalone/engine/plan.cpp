@@ -38,6 +38,8 @@ std::string beam_kernel(const BeamDemands& demands, bool periodic) {
   }
   if (!beams_are_alike(demands.elasticity)) kernel += ", a rigidity for each bond";
   if (periodic) kernel += ", periodic";
+  if (demands.elasticity.precision == BeamParameters::Precision::mixed)
+    kernel += ", law in single precision";
   return kernel;
 }
 

@@ -137,7 +137,7 @@ template <class Real>
 constexpr BeamDeformation<Real> spring_deformation(const Real& rest_length,
                                                    const Vector3<Real>& chord) {
   using std::sqrt;
-  const Real tiny{1e-300};
+  const Real tiny{tiny_square<Real>};
   const Real length = sqrt(dot(chord, chord) + tiny);
   // One division, the slowest thing here, serves both reciprocals.
   const Real inverse_of_both = Real{1.0} / (length * rest_length);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // [beams], [plasticity], [rupture] and [contact].
+#include "effects/beam_properties.hpp"
 #include "scene/rules.hpp"
 #include "scene/sections.hpp"
 
@@ -10,6 +11,7 @@ Rule beams_section(std::optional<BeamParameters>& beams) {
   return table([&beams](const Section& section) {
     using Law = BeamParameters::Law;
     using RadiusFrom = BeamParameters::RadiusFrom;
+    using Precision = BeamParameters::Precision;
     BeamParameters parameters;
     double poisson_ratio = 0;
     section.read(
@@ -27,11 +29,18 @@ Rule beams_section(std::optional<BeamParameters>& beams) {
          may_have("radius_from",
                   choice<RadiusFrom>(parameters.radius_from,
                                      {{"mean", RadiusFrom::mean}, {"pair", RadiusFrom::pair}})),
+         may_have("precision",
+                  choice<Precision>(parameters.precision,
+                                    {{"double", Precision::whole}, {"mixed", Precision::mixed}})),
          may_have("anisotropy", anisotropy_section(parameters)),
          may_have("fibres", fibres_section(parameters))});
     if (section.has("shear_coefficient") && parameters.law != Law::timoshenko)
       section.refuse("shear_coefficient", "only Timoshenko beams shear",
                      "law = \"timoshenko\" beside it");
+    if (parameters.precision == Precision::mixed &&
+        (parameters.law != Law::euler_bernoulli || !beams_are_alike(parameters)))
+      section.refuse("precision", "only Euler-Bernoulli beams that are all alike",
+                     "precision = \"double\", or radius_from = \"mean\" and no grain or fibres");
     if (parameters.law == Law::spring) {
       for (const char* key : {"poisson_ratio", "shear_modulus"})
         if (section.has(key))

@@ -114,6 +114,15 @@ Scene read_scene(const std::string& path) {
       may_have("output", output_section(setup.output)),
   });
   check_effects(root, effects);
+  if (setup.beams && setup.beams->precision == BeamParameters::Precision::mixed)
+    for (const char* section : {"plasticity", "rupture"})
+      if (root.has(section))
+        root.refuse(section, "beams in mixed precision are elastic",
+                    "precision = \"double\" in [beams]");
+  if (setup.contact && setup.contact->rebonding_pressure && setup.plasticity &&
+      setup.plasticity->law == PlasticityParameters::Law::scaled_offset)
+    root.refuse("contact", "bonds by the law scaled-offset cannot be made anew",
+                "law = \"radial-return\" in [plasticity], or no rebonding_pressure");
   scene.record = std::move(*record);
   return scene;
 }

@@ -203,6 +203,15 @@ template <bool turning, bool own_rigidity, BeamFlow flow>
     const Mask flowing = both(present, greater(after.strain, before.strain));
     result = {response.load.force, response.load.moment_i, {}};
     strain = response.strain;
+    if constexpr (flow == BeamFlow::scaled_offset) {
+      // Lanes that do not flow keep the shape they had, which is not that of the response; an empty
+      // slot may flow and be the only one.
+      const BeamLoad<Pack> kept = load_of<turning>(bond);
+      result.force = select(flowing, result.force, kept.force);
+      result.moment = select(flowing, result.moment, kept.moment_i);
+      strain = select(flowing, strain,
+                      equivalent_strain(radius, shear_ratio, bond.pose, bond.deformation));
+    }
     if (any(flowing)) {
       result.work = select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0));
       plastic_strain = select(flowing, after.strain, before.strain);
@@ -214,14 +223,6 @@ template <bool turning, bool own_rigidity, BeamFlow flow>
         store_vector(select(flowing, after.normal_j, before.normal_j),
                      m.far_section_normal + slot.of(3));
         select(flowing, after.twist, before.twist).store(m.plastic_twist + slot.of(1));
-      }
-      if constexpr (flow == BeamFlow::scaled_offset) {
-        // Lanes that do not flow keep the shape they had, which is not that of the response.
-        const BeamLoad<Pack> kept = load_of<turning>(bond);
-        result.force = select(flowing, result.force, kept.force);
-        result.moment = select(flowing, result.moment, kept.moment_i);
-        strain = select(flowing, strain,
-                        equivalent_strain(radius, shear_ratio, bond.pose, bond.deformation));
       }
     }
   } else {
@@ -298,8 +299,79 @@ void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
           {moved.x, moved.y, moved.z, own.component[3], now.w, now.v.x, now.v.y, now.v.z}};
       next.store(m.next_pose + 8 * element);
       if constexpr (remembers(flow))
-        if (any(greater(work, Pack(0.0))))
+        // The scaled offset may give work back.
+        if (any(either(greater(work, Pack(0.0)), greater(Pack(0.0), work))))
           (Pack::load(m.plastic_work + element) + work).store(m.plastic_work + element);
+    }
+  }
+}
+
+inline Vector3<HalfPack> half(const PackVector& v) {
+  return {HalfPack(v.x), HalfPack(v.y), HalfPack(v.z)};
+}
+
+inline Quaternion<HalfPack> half(const Quaternion<Pack>& q) {
+  return {HalfPack(q.w), half(q.v)};
+}
+
+inline PackVector whole(const Vector3<HalfPack>& v) {
+  return {v.x.whole(), v.y.whole(), v.z.whole()};
+}
+
+/// Elastic beams, all alike, whose law is evaluated in single precision: chords are taken, and
+/// loads summed and integrated, in double. Lengths are measured in elements' radii and loads in
+/// those of unit strain, so that no figure leaves the range of a float.
+inline void move_beams_in_single_precision(const BeamMotion& m, std::size_t first,
+                                           std::size_t last) {
+  const double unit = m.length_unit, per_unit = 1 / unit;
+  const double unit_force = m.rigidity.axial;
+  const BeamRigidity<HalfPack> rigidity{HalfPack(1.0),
+                                        HalfPack(m.rigidity.bending / (unit_force * unit * unit)),
+                                        HalfPack(m.rigidity.shear / (unit_force * unit * unit)),
+                                        HalfPack(m.rigidity.torsion / (unit_force * unit * unit))};
+  for (std::size_t block = first; block < last; ++block) {
+    for (int lane = 0; lane < lanes; lane += width) {
+      const std::size_t element = block * lanes + static_cast<std::size_t>(lane);
+      const Row own = Row::load(m.pose + 8 * element);
+      const PackVector position = centre(own);
+      const Quaternion<Pack> turned = orientation(own);
+      const Quaternion<HalfPack> half_turned = half(turned);
+      const Quaternion<HalfPack> turned_back = conjugate(half_turned);
+      const Rotation<HalfPack> rotation(half_turned);
+      PackVector force{}, moment{};
+      for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
+        const SlotPlace slot{row, static_cast<std::size_t>(lane)};
+        const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
+        PackVector chord = centre(other) - position;
+        if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
+        const Quaternion<HalfPack> other_turned = half(orientation(other));
+        const Vector3<HalfPack> direction = half(load_vector(m.rest_direction + slot.of(3)));
+        const BeamPose<HalfPack> pose{half(Pack(per_unit) * chord), rotate(rotation, direction),
+                                      rotate(other_turned, direction), other_turned * turned_back};
+        const HalfPack rest_length(Pack(per_unit) * Pack::load(m.rest_length + slot.of(1)));
+        BeamDeformation<HalfPack> deformation = beam_deformation(rest_length, pose);
+        // The one difference of nearly equal figures is taken in double.
+        const Pack length = sqrt(dot(chord, chord));
+        deformation.extension =
+            HalfPack(Pack(per_unit) * (length - Pack::load(m.rest_length + slot.of(1))));
+        const BeamLoad<HalfPack> load = beam_load(rigidity, pose, deformation);
+        force += whole(load.force);
+        moment += whole(load.moment_i);
+      }
+      const std::size_t at = 3 * block * lanes + static_cast<std::size_t>(lane);
+      const PackVector velocity =
+          load_vector(m.velocity + at) +
+          (Pack(m.kick * unit_force) * Pack::load(m.inverse_mass + element)) * force;
+      const PackVector spin =
+          load_vector(m.angular_velocity + at) +
+          (Pack(m.kick * unit_force * unit) * Pack::load(m.inverse_inertia + element)) * moment;
+      store_vector(velocity, m.velocity + at);
+      store_vector(spin, m.angular_velocity + at);
+      const PackVector moved = position + Pack(m.drift) * velocity;
+      const Quaternion<Pack> now = turn(turned, spin, Pack(m.drift));
+      const Row next{
+          {moved.x, moved.y, moved.z, own.component[3], now.w, now.v.x, now.v.y, now.v.z}};
+      next.store(m.next_pose + 8 * element);
     }
   }
 }
@@ -320,6 +392,7 @@ void move_beams_by_flow(const BeamMotion& m, std::size_t first, std::size_t last
 
 inline void move_beams_by_kind(const BeamMotion& m, std::size_t first, std::size_t last) {
   const bool own_rigidity = m.bond_rigidity != nullptr;
+  if (m.single_precision) return move_beams_in_single_precision(m, first, last);
   if (m.turning)
     own_rigidity ? move_beams_by_flow<true, true>(m, first, last)
                  : move_beams_by_flow<true, false>(m, first, last);

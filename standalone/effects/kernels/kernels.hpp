@@ -30,7 +30,9 @@ constexpr bool remembers(BeamFlow flow) {
 /// Columns of bonded elements in motion, as the kernels read and write them.
 struct BeamMotion {
   BeamFlow flow;
-  bool turning;  ///< false: bonds are springs, elements have no orientation
+  bool turning;           ///< false: bonds are springs, elements have no orientation
+  bool single_precision;  ///< of the law: for elastic beams that are all alike
+  double length_unit;     ///< m, in which single precision measures
   const std::uint32_t* first_row;
   const std::int32_t* neighbour;
   const double* pose;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "laws/algebra.hpp"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -61,6 +63,39 @@ inline Pack sqrt(Pack a) {
   Lanes r = a.v;
   for (int k = 0; k < width; ++k) r[k] = __builtin_sqrt(a.v[k]);
   return Pack(r);
+#endif
+}
+
+/// `width` floats: half the bits, for laws that may do with them.
+typedef float HalfLanes __attribute__((vector_size(width * sizeof(float))));
+
+struct HalfPack {
+  HalfLanes v;
+
+  HalfPack() : v{} {}
+  HalfPack(double s) : v(HalfLanes{} + static_cast<float>(s)) {}  // NOLINT: as of a Pack
+  explicit HalfPack(HalfLanes lanes) : v(lanes) {}
+  explicit HalfPack(Pack whole) : v(__builtin_convertvector(whole.v, HalfLanes)) {}
+
+  Pack whole() const { return Pack(__builtin_convertvector(v, Lanes)); }
+
+  friend HalfPack operator+(HalfPack a, HalfPack b) { return HalfPack(a.v + b.v); }
+  friend HalfPack operator-(HalfPack a, HalfPack b) { return HalfPack(a.v - b.v); }
+  friend HalfPack operator*(HalfPack a, HalfPack b) { return HalfPack(a.v * b.v); }
+  friend HalfPack operator/(HalfPack a, HalfPack b) { return HalfPack(a.v / b.v); }
+  friend HalfPack operator-(HalfPack a) { return HalfPack(-a.v); }
+  HalfPack& operator+=(HalfPack b) { return *this = *this + b; }
+};
+
+inline HalfPack sqrt(HalfPack a) {
+#if defined(__AVX512F__)
+  return HalfPack(HalfLanes(_mm256_sqrt_ps(a.v)));
+#elif defined(__AVX__)
+  return HalfPack(HalfLanes(_mm_sqrt_ps(a.v)));
+#else
+  HalfLanes r = a.v;
+  for (int k = 0; k < width; ++k) r[k] = __builtin_sqrtf(a.v[k]);
+  return HalfPack(r);
 #endif
 }
 
@@ -217,5 +252,12 @@ struct Row {
 };
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET
+
+namespace solidem {
+
+template <>
+inline constexpr double tiny_square<SOLIDEM_INSTRUCTION_SET::HalfPack> = 1e-36;
+
+}  // namespace solidem
 
 #endif
