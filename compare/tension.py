@@ -90,11 +90,12 @@ def crossing(strain: Floats, stress: Floats, modulus: float, strain_0: float, st
 
 def curve_of(view: View) -> Curve:
     """The test in a history; options of the case: `grips` (names of the low and the high one) and
-    `free_length` (m, between them)."""
+    `length` (m, of the bar; the grips are one mean diameter deep)."""
     result, options = view.tested, view.case.options
+    between = options["length"] - 4 * float(view.job.specimen.radius.mean())
     low, high = (history_column(result, f"grip.{name}.displacement_x")
                  for name in options["grips"])
-    return Curve((high - low) / options["free_length"], history_column(result, "gauge.strain"),
+    return Curve((high - low) / between, history_column(result, "gauge.strain"),
                  history_column(result, "gauge.lateral_strain"),
                  history_column(result, "gauge.stress"))
 
@@ -156,12 +157,12 @@ def _published(options: dict[str, Any]) -> list[Series]:
 def tension_curve(view: View) -> Measured:
     """Spread of the group's stress–strain curves: mean of (largest − least) stress over the peak.
 
-    Up to the first specimen's rupture; drawn with the figures of the case's [options.published].
+    Up to the first specimen's largest stress; drawn with the figures of the case's [options.published].
     """
     curves = [curve_of(member) for member in view.members]
     if len(curves) < 2:
         raise CodeFailure("a spread needs two specimens at least")
-    last = min(c.rupture_strain for c in curves)
+    last = min(float(c.elongation[np.argmax(c.stress)]) for c in curves)
     grid = np.linspace(0, last, 400)
     rows = np.array([np.interp(grid, c.elongation, c.stress) for c in curves])
     options = view.check.options
@@ -171,7 +172,7 @@ def tension_curve(view: View) -> Measured:
                           100 * c.elongation, c.stress / 1e6, "-")
                    for member, c in zip(view.members, curves))])
     spread = float(np.mean(rows.max(axis=0) - rows.min(axis=0)) / rows.max())
-    return Measured(spread, f"{len(curves)} specimens, to {100 * last:.3g} %", plot)
+    return Measured(spread, f"{len(curves)} specimens, to an elongation of {100 * last:.3g} %", plot)
 
 
 def _first_rupture(result: Result) -> float:
