@@ -83,13 +83,14 @@ TensionFigures figures_of(const std::vector<TensionPoint>& points, double young_
     peak = std::max(peak, p.stress);
     if (k == 0) continue;
     const TensionPoint& q = points[k - 1];
-    if (!figures.yield_stress && beyond(q) > 0 && beyond(p) <= 0)
-      figures.yield_stress = q.stress + crossing(beyond(q), beyond(p)) * (p.stress - q.stress);
     const double left = share_left_at_rupture * peak;
-    if (!figures.rupture_strain && p.stress < left && q.stress >= left)
+    if (p.stress < left && q.stress >= left) {  // the fall is no yield
       figures.rupture_strain =
           q.elongation + crossing(q.stress - left, p.stress - left) * (p.elongation - q.elongation);
-    if (figures.rupture_strain) break;
+      break;
+    }
+    if (!figures.yield_stress && beyond(q) > 0 && beyond(p) <= 0)
+      figures.yield_stress = q.stress + crossing(beyond(q), beyond(p)) * (p.stress - q.stress);
   }
   if (peak > 0) figures.peak_stress = peak;
   return figures;
