@@ -3,6 +3,7 @@
 // A run that is stopped and resumed while bonds flow, break, touch and are made anew ends in the
 // same bits as one that was not: from memory and through files, whatever the moment.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -84,8 +85,9 @@ std::string contents(const std::string& path) {
 TEST_P(RestartOfBrokenBeams, gives_the_same_files) {
   setup.run.observe_every = 10;
   setup.output.frames = 0;
-  const std::string whole_folder = testing::TempDir() + "whole",
-                    folder = testing::TempDir() + "parts";
+  const std::string own =
+      testing::TempDir() + "restart_" + std::to_string(getpid());  // tests run side by side
+  const std::string whole_folder = own + "_whole", folder = own + "_parts";
   RunOptions options;
   options.quiet = true;
   options.fingerprint = "the same";
