@@ -232,7 +232,6 @@ constexpr BeamResponse<Real> scaled_offset_response(
     const BeamDeformation<Real>& deformation, const BeamPose<Real>& whole,
     const BeamDeformation<Real>& whole_deformation, const Quaternion<Real>& orientation_i,
     const Quaternion<Real>& orientation_j) {
-  using std::sqrt;
   const Real strain = equivalent_strain(beam.radius, beam.shear_ratio, whole, whole_deformation);
   const PlasticFlow<Real> flow = scaled_offset(beam.yield, strain, history.strain);
   const Real energy = beam_energy(beam.rigidity, pose, deformation);
@@ -242,10 +241,14 @@ constexpr BeamResponse<Real> scaled_offset_response(
   BeamResponse<Real> response =
       detail::flowed(beam, whole, whole_deformation, flow, history.strain, Real{0.0}, energy,
                      Real{1.0}, orientation_i, orientation_j);
-  // In reverse flow the energy may be left in any share, so that share is measured.
-  const Real some = select(greater(energy, Real{0.0}), energy, Real{1.0});
-  const Real remaining = sqrt(response.energy / some);
-  response.plastic_work = Real{2.0} * remaining * (Real{1.0} - remaining) * energy;
+  // What is left need not lie along what was there, so the work is that of the loads left through
+  // the flow, mode by mode.
+  const BeamPose<Real> left = beam_pose(pose.chord, response.history.normal_i,
+                                        response.history.normal_j, orientation_i, orientation_j);
+  const BeamDeformation<Real> left_deformation =
+      elastic_deformation(beam.rest_length, left, response.history);
+  response.plastic_work = mutual_work(beam.rigidity, left, left_deformation, pose, deformation) -
+                          Real{2.0} * response.energy;
   return response;
 }
 
