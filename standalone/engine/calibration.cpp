@@ -2,9 +2,9 @@
 //
 // Elasticity first: the Poisson ratio of a network of beams depends on the shape of the beams
 // alone, so it is the root of a function of one parameter; its modulus is proportional to that of
-// the beams. Then plasticity: σ_0.2 is nearly proportional to the yield strain, the peak stress
-// nearly linear in the hardening, the rupture strain nearly proportional to that of the beams. Each
-// round of tests sets all three by these relations.
+// the beams. Then plasticity: σ_0.2 follows the yield strain, the peak stress the hardening (and
+// the yield strain), the rupture strain that of the beams (and the hardening). Each round of tests
+// corrects all three.
 #include "engine/calibration.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <Eigen/LU>
 
 #include "engine/tension_bench.hpp"
 #include "model/error.hpp"
@@ -22,6 +23,8 @@ namespace solidem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
 /// Where the search for beams begins that the scene says nothing of. Yielding starts in the most
 /// loaded beams, long before σ_0.2: the yield strain is about half of σ_0.2 / E.
@@ -58,6 +61,24 @@ BeamParameters with_poisson_ratio(BeamParameters beams, double poisson_ratio) {
   beams.shear_modulus = beams.young_modulus / (2 * (1 + poisson_ratio));
   return beams;
 }
+
+/// A round of dynamic tests: logarithms of yield strain, hardening and rupture strain of the beams,
+/// and of σ_0.2, peak stress and rupture strain of the body, each over its target.
+struct Round {
+  Vector3d parameters, figures;
+};
+
+/// How these figures follow these parameters, roughly: of bars of AA2024 with 300 to 5000 elements.
+Matrix3d first_slopes() {
+  Matrix3d slopes;
+  slopes << 1, 0.02, 0,  //
+      0.8, 0.2, 0.3,     //
+      0, 0.4, 1.2;
+  return slopes;
+}
+
+constexpr double longest_step = 0.4;
+constexpr double shortest_lesson = 0.05;
 
 /// A calibration on its way.
 class Search {
@@ -224,8 +245,9 @@ class Search {
           yield_strain_share *
           targets.yield_stress.value_or(0.7 * targets.peak_stress.value_or(0)) /
           targets.young_modulus;
-      if (targets.peak_stress) bonds.plasticity->hardening_ratio = usual_hardening;
     }
+    if (targets.peak_stress && bonds.plasticity->hardening_ratio == 0)
+      bonds.plasticity->hardening_ratio = usual_hardening;
     if (targets.rupture_strain) {
       if (!bonds.rupture) bonds.rupture = RuptureParameters{};
       if (!bonds.rupture->strain)
@@ -290,50 +312,59 @@ class Search {
                      rupture_miss(figure(&TensionFigures::rupture_strain))});
   }
 
-  /// Sets the parameters of the next round. False when none of them changes any more.
+  /// Sets the parameters of the next round: Newton's step in the logarithms of all, with slopes
+  /// that the rounds correct (Broyden, Math. Comp. 19, 577 (1965)). False when nothing is left to
+  /// change.
   bool correct() {
     const CalibrationTargets& targets = request_.targets;
     BondParameters& bonds = found_.bonds;
-    const BondParameters before = bonds;
-    if (bonds.plasticity && targets.yield_stress) {
-      const Spread yield = figure(&TensionFigures::yield_stress);
-      if (yield.count > 0) bonds.plasticity->yield_strain *= *targets.yield_stress / yield.mean;
-    }
-    if (bonds.plasticity && targets.peak_stress) correct_hardening(before);
-    if (bonds.rupture && targets.rupture_strain) {
-      const Spread rupture = figure(&TensionFigures::rupture_strain);
+    Round now{Vector3d::Zero(), Vector3d::Zero()};
+    std::array<bool, 3> sought{false, false, false};
+    const auto seek = [&](int k, double parameter, double shown, double target, bool is_sought) {
+      now.parameters[k] = std::log(parameter);
+      now.figures[k] = std::log(shown / target);
+      sought[static_cast<std::size_t>(k)] = is_sought;
+    };
+    const Spread yield = figure(&TensionFigures::yield_stress);
+    const Spread peak = figure(&TensionFigures::peak_stress);
+    const Spread rupture = figure(&TensionFigures::rupture_strain);
+    if (targets.yield_stress && yield.count > 0)
+      seek(0, bonds.plasticity->yield_strain, yield.mean, *targets.yield_stress, true);
+    if (targets.peak_stress && peak.count > 0)
+      seek(1, bonds.plasticity->hardening_ratio, peak.mean, *targets.peak_stress, true);
+    if (targets.rupture_strain) {
       const auto [low, high] = *targets.rupture_strain;
       const double shown = rupture.count < bench_.size() ? 2 * high : rupture.mean;
-      if (shown < low || shown > high)
-        *bonds.rupture->strain *= std::clamp(0.5 * (low + high) / shown, 0.5, 2.0);
+      rupture_is_sought_ = rupture_is_sought_ || low == high || shown < low || shown > high;
+      seek(2, *bonds.rupture->strain, shown, 0.5 * (low + high), rupture_is_sought_);
     }
-    const bool plastic_changes =
-        bonds.plasticity &&
-        (bonds.plasticity->yield_strain != before.plasticity->yield_strain ||
-         bonds.plasticity->hardening_ratio != before.plasticity->hardening_ratio);
-    return plastic_changes || (bonds.rupture && bonds.rupture->strain != before.rupture->strain);
+    learn(now);
+    Matrix3d slopes = slopes_;
+    for (int k = 0; k < 3; ++k)
+      if (!sought[static_cast<std::size_t>(k)]) {
+        slopes.row(k) = Vector3d::Unit(k).transpose();
+        now.figures[k] = 0;
+      }
+    Vector3d step = -slopes.fullPivLu().solve(now.figures);
+    if (!step.allFinite() || step.isZero()) return false;
+    const double largest = step.cwiseAbs().maxCoeff();
+    if (largest > longest_step) step *= longest_step / largest;
+    if (sought[0]) bonds.plasticity->yield_strain *= std::exp(step[0]);
+    if (sought[1]) bonds.plasticity->hardening_ratio *= std::exp(step[1]);
+    if (sought[2]) *bonds.rupture->strain *= std::exp(step[2]);
+    return true;
   }
 
-  /// The peak stress, over what a yield strain of 1 would bring, is the yield strain and the
-  /// hardening times the plastic strain at the peak. Two rounds tell that strain; before there
-  /// are two, the peak without hardening is taken as σ_0.2.
-  void correct_hardening(const BondParameters& tested) {
-    const Spread peak = figure(&TensionFigures::peak_stress);
-    const Spread yield = figure(&TensionFigures::yield_stress);
-    if (peak.count == 0 || yield.count == 0) return;
-    PlasticityParameters& next = *found_.bonds.plasticity;
-    const double hardening = tested.plasticity->hardening_ratio;
-    const double scale = yield.mean / tested.plasticity->yield_strain;
-    const HardeningPoint now{hardening, peak.mean / scale - tested.plasticity->yield_strain};
-    double strain = hardening > 0 ? now.excess / hardening : 0.1;
-    if (last_ && std::abs(last_->hardening - hardening) > 0.05 * (last_->hardening + hardening)) {
-      const double secant = (now.excess - last_->excess) / (hardening - last_->hardening);
-      if (secant > 0.2 * strain && secant < 5 * strain) strain = secant;
+  /// Corrects the slopes by what the last step did; a step shorter than the scatter of what breaks
+  /// when teaches nothing.
+  void learn(const Round& now) {
+    if (last_) {
+      const Vector3d step = now.parameters - last_->parameters;
+      const Vector3d change = now.figures - last_->figures;
+      if (step.norm() > shortest_lesson)
+        slopes_ += (change - slopes_ * step) * step.transpose() / step.squaredNorm();
     }
     last_ = now;
-    const double wanted = *request_.targets.peak_stress / scale - next.yield_strain;
-    next.hardening_ratio =
-        std::max(0.0, hardening + (wanted - now.excess) / std::max(strain, 1e-3));
   }
 
   void tell_misses() {
@@ -390,17 +421,14 @@ class Search {
     found_.trials.push_back(std::move(trial));
   }
 
-  /// A round as the hardening sees it.
-  struct HardeningPoint {
-    double hardening, excess;
-  };
-
   const CalibrationRequest& request_;
   const std::vector<Material>& materials_;
   TensionBench bench_;
   const std::function<void(const CalibrationTrial&)>& tell_;
   Calibration found_;
-  std::optional<HardeningPoint> last_;
+  Matrix3d slopes_ = first_slopes();
+  std::optional<Round> last_;
+  bool rupture_is_sought_ = false;
 };
 
 }  // namespace
