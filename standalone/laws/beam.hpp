@@ -217,24 +217,6 @@ constexpr Real beam_energy(const BeamRigidity<Real>& rigidity, const BeamPose<Re
           rigidity.torsion * deformation.twist * deformation.twist);
 }
 
-/// Work of the loads of one deformation through another of the same chord, J; twice the energy of a
-/// deformation with itself.
-template <class Real>
-constexpr Real mutual_work(const BeamRigidity<Real>& rigidity, const BeamPose<Real>& pose,
-                           const BeamDeformation<Real>& deformation, const BeamPose<Real>& other,
-                           const BeamDeformation<Real>& other_deformation) {
-  const Vector3<Real> e_i = pose.normal_i - deformation.direction;
-  const Vector3<Real> e_j = pose.normal_j - deformation.direction;
-  const Vector3<Real> d_i = other.normal_i - deformation.direction;
-  const Vector3<Real> d_j = other.normal_j - deformation.direction;
-  const Real half{0.5}, three{3.0};
-  return deformation.inverse_rest_length *
-         (rigidity.axial * deformation.extension * other_deformation.extension +
-          three * rigidity.shear * (dot(e_i, d_i) + dot(e_j, d_j)) -
-          half * (three * rigidity.shear - rigidity.bending) * dot(e_j - e_i, d_j - d_i) +
-          rigidity.torsion * deformation.twist * other_deformation.twist);
-}
-
 /// Elastic energy of a beam that has yielded nowhere.
 template <class Real>
 constexpr Real beam_energy(const BeamRigidity<Real>& rigidity, const Real& rest_length,

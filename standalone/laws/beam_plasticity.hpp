@@ -24,7 +24,8 @@
 //                   κ' = κ + (1 − p) ε_e the plastic strain, h = H / E the hardening;
 //   scaled offset   (the thesis) when the strain ε since the bond was made exceeds its largest
 //                   before: the stress is then that of the same monotonic curve, p ε = ε_y + h κ',
-//                   κ' = (1 − p) ε; below it everything stays elastic, so reverse flow comes late.
+//                   κ' = (1 − p) ε; below it everything stays elastic, so reverse flow comes late
+//                   and is a jump of the stress, whose work is the energy that it loses, U − U'.
 #ifndef SOLIDEM_LAWS_BEAM_PLASTICITY_HPP
 #define SOLIDEM_LAWS_BEAM_PLASTICITY_HPP
 
@@ -241,14 +242,7 @@ constexpr BeamResponse<Real> scaled_offset_response(
   BeamResponse<Real> response =
       detail::flowed(beam, whole, whole_deformation, flow, history.strain, Real{0.0}, energy,
                      Real{1.0}, orientation_i, orientation_j);
-  // What is left need not lie along what was there, so the work is that of the loads left through
-  // the flow, mode by mode.
-  const BeamPose<Real> left = beam_pose(pose.chord, response.history.normal_i,
-                                        response.history.normal_j, orientation_i, orientation_j);
-  const BeamDeformation<Real> left_deformation =
-      elastic_deformation(beam.rest_length, left, response.history);
-  response.plastic_work = mutual_work(beam.rigidity, left, left_deformation, pose, deformation) -
-                          Real{2.0} * response.energy;
+  response.plastic_work = energy - response.energy;
   return response;
 }
 
