@@ -28,7 +28,7 @@ def seconds(time: float | None) -> str:
 
 def _way(study: Study, m: Median, but: str = "") -> str:
     """How a point is computed, all `but` one axis; what is the rule goes without saying."""
-    rule = {"code": "standalone", "instructions": "best"}
+    rule = {"code": "standalone", "instructions": "best", "precision": "double"}
     shown = [axis for axis in study.axes if axis != but and m.labels.get(axis) != rule.get(axis)]
     words = [f"{m.labels[k]} elements" if k == "elements" else m.labels[k]
              for k in shown if k in m.labels]

@@ -44,11 +44,13 @@ struct Case {
   BeamParameters::RadiusFrom radius_from = BeamParameters::RadiusFrom::mean;
   bool limited = false;
   FlowLaw flow = FlowLaw::radial_return;
+  bool mixed = false;  ///< precision
 
   Setup setup() const {
     auto setup = beam_setup(law);
     setup.beams->radius_ratio = radius_ratio;
     setup.beams->radius_from = radius_from;
+    if (mixed) setup.beams->precision = BeamParameters::Precision::mixed;
     if (limited) {
       setup.plasticity = PlasticityParameters{flow, 2e-3, 0.01};
       setup.rupture = RuptureParameters{};
@@ -91,6 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Euler-Bernoulli"}, Case{"thick", BeamLaw::euler_bernoulli, 0.8},
         Case{"Timoshenko", BeamLaw::timoshenko}, Case{"thick Timoshenko", BeamLaw::timoshenko, 0.8},
         Case{"spring", BeamLaw::spring},
+        Case{"mixed precision", BeamLaw::euler_bernoulli, 0.27, mean_radius_of_body, false,
+             FlowLaw::radial_return, true},
         Case{"radius of the pair", BeamLaw::euler_bernoulli, 0.27, pair_radius},
         Case{"Timoshenko, radius of the pair", BeamLaw::timoshenko, 0.5, pair_radius},
         Case{"radial return", BeamLaw::euler_bernoulli, 0.27, mean_radius_of_body, true},
