@@ -12,7 +12,7 @@ namespace {
 constexpr int cycles = 1000;
 constexpr double yield_strain = 2e-3;
 const double section = 3.14159265358979323846 * std::pow(0.27 * hand_radius, 2);
-constexpr double E = 3.5e12, G = 1.35e12;
+constexpr double E = 3.5e12;
 
 /// Two elements, the second moved to and fro along a direction; its amplitude in lengths.
 Setup cyclic_setup(double hardening, FlowLaw flow, const Vector& amplitude, int steps_per_cycle) {
