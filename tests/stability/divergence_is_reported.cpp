@@ -3,6 +3,7 @@
 // A run beyond its stable step is stopped within a thousand steps of the moment it goes astray,
 // says so, and keeps what it computed before; it is never run on. Plastic flow must not hide it.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -67,7 +68,7 @@ TEST_P(Divergence, stops_the_run_within_a_thousand_steps) {
   const std::int64_t astray = first_astray(setup, body);
   ASSERT_GT(astray, 0);
 
-  const std::string folder = testing::TempDir() + "divergence";
+  const std::string folder = testing::TempDir() + "divergence_" + std::to_string(getpid());
   std::filesystem::remove_all(folder);
   Simulation simulation(setup, body, true);
   RunOptions options;
@@ -123,7 +124,7 @@ TEST(Divergence, is_not_reported_of_a_sound_run) {
     setup.run.steps = 20000;
     setup.run.observe_every = 50;
     setup.output.frames = 0;
-    const std::string folder = testing::TempDir() + "sound";
+    const std::string folder = testing::TempDir() + "sound_" + std::to_string(getpid());
     Simulation simulation(setup, body);
     RunOptions options;
     options.directory = folder;
