@@ -242,7 +242,13 @@ constexpr BeamResponse<Real> scaled_offset_response(
   BeamResponse<Real> response =
       detail::flowed(beam, whole, whole_deformation, flow, history.strain, Real{0.0}, energy,
                      Real{1.0}, orientation_i, orientation_j);
-  response.plastic_work = energy - response.energy;
+  // Flow in reverse, or back again, is a fall from beyond the yield stress, in which all that the
+  // bond loses is lost; but not what this step strained it beyond the largest strain, which flowed.
+  const Real largest =
+      beam.yield.yield_strain + (Real{1.0} + beam.yield.hardening_ratio) * history.strain;
+  const Real elastic = equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation);
+  const Real beyond = (strain - largest) / select(greater(elastic, Real{0.0}), elastic, Real{1.0});
+  response.plastic_work = energy - response.energy - beyond * beyond * energy;
   return response;
 }
 

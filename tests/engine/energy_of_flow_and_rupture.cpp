@@ -83,8 +83,7 @@ TEST_P(EnergyOfFlow, is_accounted_for_the_better_the_finer_the_step) {
   std::printf("  %s: plastic work %.2f of the energy; balance %.1e, %.1e, %.1e, %.1e; order %.2f\n",
               c.name, share, errors[0], errors[1], errors[2], errors[3], order);
   EXPECT_GT(share, 0.1);
-  // The scaled offset falls when it flows back, somewhere inside of a step.
-  EXPECT_LT(errors[3], c.flow == FlowLaw::scaled_offset ? 4e-3 : 2e-3);
+  EXPECT_LT(errors[3], 2e-3);
   // Each flow is counted with the load after it: of first order in the step.
   EXPECT_GT(order, 0.8);
 }
