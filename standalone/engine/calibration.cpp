@@ -112,7 +112,7 @@ class Search {
 
   std::vector<ElasticConstants> test_elasticity(const BeamParameters& beams) {
     const auto start = Clock::now();
-    const std::vector<ElasticConstants> constants = bench_.elasticity(beams);
+    std::vector<ElasticConstants> constants = bench_.elasticity(beams);
     CalibrationTrial trial{false, found_.bonds, {}, 0};
     trial.bonds.beams = beams;
     for (const ElasticConstants& c : constants) trial.figures.push_back({c, {}});
