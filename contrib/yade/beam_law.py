@@ -226,23 +226,27 @@ class BeamLaw:
                  for load in self._loads(left, of_i, of_j)]
         return Response(
             *loads, history, strain, np.where(self.intact, energy, 0.0),
-            self._work(old.strain, history.strain, energy, stored, share, flows),
+            self._work(old.strain, history.strain, energy, stored, share, flows, elastic,
+                       self._strain(start)),
             self.intact & ((strain > self.largest_stress)
                            | (strain + history.strain > self.largest_strain)))
 
     def _work(self, plastic_before: Floats, plastic: Floats, energy: Floats, stored: Floats,
-              share: Floats, flows: Flags) -> Floats:
+              share: Floats, flows: Flags, elastic: Floats, whole: Floats) -> Floats:
         """Work of the loads that remain along the flow, 2 p (1 − p) U of the energy U before it, with
-        half of what they gain by hardening on the way; the scaled offset may leave another share of
-        the energy than p², which is measured."""
+        half of what they gain by hardening on the way. The scaled offset may fall: it loses all of
+        the energy but what this step strained it beyond the largest strain, which flowed."""
         if self.flow is None:
             return np.zeros_like(energy)
+        limit, h = self.flow.strain, self.flow.hardening_ratio
         if self.flow.scaled_offset:
-            left, mean = np.sqrt(energy / np.where(stored > 0, stored, 1)), 2.0
+            largest = limit + (1 + h) * plastic_before
+            beyond = (whole - largest) / np.where(elastic > 0, elastic, 1)
+            work = stored - energy - beyond**2 * stored
         else:
-            limit, h = self.flow.strain, self.flow.hardening_ratio
-            left, mean = share, 1 + (limit + h * plastic_before) / (limit + h * plastic)
-        return np.where(flows, mean * left * (1 - left) * stored, 0.0)
+            mean = 1 + (limit + h * plastic_before) / (limit + h * plastic)
+            work = mean * share * (1 - share) * stored
+        return np.where(flows, work, 0.0)
 
     def keep(self, response: Response) -> None:
         """Accepts the pose that the response belongs to."""
