@@ -152,6 +152,30 @@ class Contact:
 
 
 @dataclass(frozen=True)
+class CentralForces:
+    """Central law between elements, and between which of them it acts."""
+
+    law: str  #: "piecewise", "lennard-jones", "shifted-lennard-jones", "mie" or "threshold"
+    parameters: dict[str, float]  #: of the law by name
+    range: float  #: α: pairs nearer than α (R_i + R_j) interact
+    equilibrium: str = "initial"  #: distance of equilibrium: "initial", or R_i + R_j: "radii"
+    neighbours: str = "changing"  #: or "fixed": the initial pairs alone
+    interpenetration: float = 0.1  #: a: below (1 − a) δ_eq the force goes on along its tangent
+    dissipation: float = 0.0  #: c, N s/m
+    skin: float = 0.1  #: of neighbour lists, mean radii
+
+
+@dataclass(frozen=True)
+class Damage:
+    """How bodies of central forces crack."""
+
+    lip: float | None = None  #: C: an element is a lip when its barycentre is farther than C R_i
+    every: int = 1  #: steps between looks at the barycentres
+    minimal_neighbours: int = 0  #: elements that lost neighbours and keep fewer are removed
+    removal_every: int = 100  #: steps between removals
+
+
+@dataclass(frozen=True)
 class Conduction:
     """Law and material of the conducting body."""
 
@@ -207,6 +231,8 @@ class Parameters:
     plasticity: Plasticity | None = None
     rupture: Rupture | None = None
     contact: Contact | None = None
+    central_forces: CentralForces | None = None
+    damage: Damage | None = None
 
     def require_support(self) -> None:
         """PreparedError when the scene asks for what other codes are not given."""
@@ -364,6 +390,8 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         _known(Plasticity, laws.get("plasticity")),
         _known(Rupture, laws.get("rupture")),
         _known(Contact, laws.get("contact")),
+        _known(CentralForces, laws.get("central_forces")),
+        _known(Damage, laws.get("damage")),
     )
 
 
