@@ -32,8 +32,8 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--observe-every", type=int, help="steps between rows (1/200 of the run)")
     parser.add_argument("--frame-every", type=int, help="steps between frames (1/10 of the run)")
     parser.add_argument("--law", choices=["native", "incremental", "scripted"],
-                        help="default: native; scripted for conduction of law voronoi and for beams "
-                        "that flow or break")
+                        help="default: native; scripted for conduction of law voronoi, for beams that "
+                        "flow or break and for central forces")
     return parser.parse_args(sys.argv[1:])
 
 
@@ -41,13 +41,20 @@ def _default_law(parameters: Parameters) -> str:
     """YADE's own laws, where it has them."""
     has_faces = parameters.conduction is not None and parameters.conduction.law == "voronoi"
     beams_change = parameters.plasticity is not None or parameters.rupture is not None
-    return "scripted" if has_faces or beams_change else "native"
+    central = parameters.central_forces is not None
+    return "scripted" if has_faces or beams_change or central else "native"
 
 
 def _scene(specimen: Specimen, parameters: Parameters, law: str):
     parameters.require_support()
     if parameters.beams and parameters.conduction:
         raise SystemExit("run.py: beams and conduction together are not supported in YADE")
+    if parameters.central_forces:
+        from scripted_central_forces import CentralForceScene
+
+        if law != "scripted":
+            raise SystemExit("run.py: central forces need --law scripted")
+        return CentralForceScene(specimen, parameters)
     if parameters.beams and law == "scripted":
         from scripted_beams import ScriptedBeamScene
 
@@ -66,7 +73,7 @@ def _scene(specimen: Specimen, parameters: Parameters, law: str):
         from heat import HeatScene
 
         return HeatScene(specimen, parameters)
-    raise SystemExit("run.py: the scene has neither beams nor conduction")
+    raise SystemExit("run.py: the scene has neither beams nor conduction nor central forces")
 
 
 def main() -> None:

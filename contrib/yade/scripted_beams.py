@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 from beam_law import BeamLaw, Floats, law_of
-from beams import BeamScene, bulk_positions
+from beams import BeamScene
+from motion import bulk_positions
 from prepared import Beams, Parameters, PreparedError, Specimen
 from yade import Engine, O, PyRunner, utils
 
