@@ -6,6 +6,7 @@
 #define SOLIDEM_APP_COMMANDS_HPP
 
 #include <string>
+#include <vector>
 
 namespace solidem {
 
@@ -46,6 +47,18 @@ struct SolveCommand {
 };
 /// `solidem solve`: the static equilibrium of a bonded scene at the end of its run.
 void solve_scene(const SolveCommand& command);
+
+/// `solidem law list`: laws of central force, their parameters, units and meanings.
+void list_laws();
+
+struct LawPlotCommand {
+  std::vector<std::string> words;  ///< names of laws and their parameters, scene files
+  std::string equilibrium, range, interpenetration;  ///< "": what the scene says, or the default
+  double from = -1, to = -1;  ///< over the distance of equilibrium; below 0: what shows most
+  std::string output;         ///< without its ending
+};
+/// `solidem law plot`: force, stiffness and potential as CSV and SVG.
+void plot_laws(const LawPlotCommand& command);
 
 /// `solidem convert`, `solidem info`.
 void convert_specimen(const std::string& from, const std::string& to);

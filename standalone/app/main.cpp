@@ -96,6 +96,29 @@ int main(int argc, char** argv) {
   convert->add_option("to", to, "file to write")->required();
   convert->callback([&] { chosen = [&] { return solidem::convert_specimen(from, to), 0; }; });
 
+  auto* law = app.add_subcommand("law", "Laws of central force: what there is, how they look");
+  law->require_subcommand(1);
+  auto* law_list = law->add_subcommand("list", "The laws, their parameters, units and meanings");
+  law_list->callback([&] { chosen = [&] { return solidem::list_laws(), 0; }; });
+  solidem::LawPlotCommand plot;
+  auto* law_plot =
+      law->add_subcommand("plot", "Force, stiffness and potential of laws, as table and picture");
+  law_plot
+      ->add_option("laws", plot.words,
+                   "names of laws, each with its parameters (mie \"energy=0.1 mJ\" ...), or scenes")
+      ->required();
+  law_plot->add_option("--equilibrium", plot.equilibrium,
+                       "distance of equilibrium (default: 0.3 mm; of a scene, two mean radii)");
+  law_plot->add_option("--range", plot.range, "range over that distance (default: 1.2)");
+  law_plot->add_option("--interpenetration", plot.interpenetration,
+                       "overlap below which a law goes on along its tangent (default: 0.1)");
+  law_plot->add_option("--from", plot.from, "least distance shown, over that of equilibrium")
+      ->check(CLI::NonNegativeNumber);
+  law_plot->add_option("--to", plot.to, "largest distance shown, over that of equilibrium")
+      ->check(CLI::NonNegativeNumber);
+  law_plot->add_option("-o,--output", plot.output, "name of the files, without ending")->required();
+  law_plot->callback([&] { chosen = [&] { return solidem::plot_laws(plot), 0; }; });
+
   auto* info = app.add_subcommand("info", "Print the report of a specimen");
   info->add_option("file", from, "specimen file")->required();
   info->callback([&] { chosen = [&] { return solidem::describe_specimen(from), 0; }; });
