@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from compare.codes.base import Code
 from compare.codes.calculix import Calculix
+from compare.codes.lammps import Lammps
 from compare.codes.liggghts import Liggghts
 from compare.codes.standalone import Standalone
 from compare.codes.statics import Statics
@@ -13,5 +14,6 @@ from compare.codes.yade import Yade
 
 def all_codes() -> dict[str, Code]:
     """Every adaptor by the name that cases use."""
-    codes: list[Code] = [Standalone(), Statics(), Liggghts(), Yade(), Calculix()]
+    codes: list[Code] = [Standalone(), Statics(), Liggghts(), Yade(), Calculix(), Lammps(),
+                         Lammps("lammps-mie", "mie/cut")]
     return {code.name: code for code in codes}

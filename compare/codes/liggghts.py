@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from compare.codes.base import ROOT, Job, TwoSpheres, run_program
-from compare.result import CodeFailure, Floats, Frame, Result
+from compare.codes.dump import read_dump, read_rows
+from compare.result import CodeFailure, Floats, Result
 from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, full, heat_lines,
                                      sphere_density, write_data)
 from contrib.yade.prepared import Beams, Parameters, PreparedError, Specimen
@@ -35,30 +36,6 @@ neighbor {skin:.17g} bin
 neigh_modify delay 0 once yes
 timestep {time_step:.17g}
 """
-
-
-def read_dump(path: Path, columns: dict[str, tuple[str, ...]], time_step: float) -> list[Frame]:
-    """Frames of a text dump sorted by id; `columns`: name -> headings of its components."""
-    try:
-        words = path.read_text().split("ITEM: TIMESTEP\n")[1:]
-    except OSError as error:
-        raise CodeFailure(f"liggghts wrote no dump: {error}") from error
-    frames = []
-    for text in words:
-        head, _, body = text.partition("ITEM: ATOMS ")
-        headings, _, numbers = body.partition("\n")
-        names = headings.split()
-        try:
-            values = np.array(numbers.split(), dtype=float).reshape(-1, len(names))
-        except ValueError as error:
-            raise CodeFailure(f"liggghts wrote a torn dump: {error}") from error
-        values = values[np.argsort(values[:, names.index("id")])]
-        step = int(head.split()[0])
-        found = {name: np.squeeze(values[:, [names.index(h) for h in parts]], axis=1)
-                 if len(parts) == 1 else values[:, [names.index(h) for h in parts]]
-                 for name, parts in columns.items()}
-        frames.append(Frame(step, step * time_step, found))
-    return frames
 
 
 # Columns of the history of motion that are not a grip's, and LIGGGHTS' words for them.
@@ -152,14 +129,6 @@ def _heat_of_the_start(job: Job, column: str) -> float:
     return float(capacity[held].sum() * (value - law.initial_temperature))
 
 
-def _read_rows(path: Path) -> Floats:
-    """Rows of numbers that LIGGGHTS printed."""
-    try:
-        return np.atleast_2d(np.loadtxt(path, ndmin=2))
-    except (OSError, ValueError) as error:
-        raise CodeFailure(f"liggghts wrote no usable history: {error}") from error
-
-
 @dataclass
 class Liggghts:
     """LIGGGHTS-PUBLIC 3.8.0 with our styles, serial."""
@@ -229,7 +198,7 @@ class Liggghts:
         script += f'dump_modify frames sort id format "%d{" %.17g" * len(headings)}"\n'
         script += f"run {parameters.steps}\n"
         wall = self._execute(script, directory, job.timeout)
-        frames = read_dump(directory / "frames.dump", columns, parameters.time_step)
+        frames = read_dump(directory / "frames.dump", columns, parameters.time_step, self.name)
         return Result(self.name, len(specimen.radius), len(bonds), parameters.steps,
                       parameters.time_step, wall, self._history(job, directory), frames)
 
@@ -243,7 +212,7 @@ class Liggghts:
                 history[name] = rows[:, 1 + number] + _heat_of_the_start(job, name)
         if not job.parameters.beams:
             return history
-        rows = _read_rows(directory / "history.txt")
+        rows = read_rows(directory / "history.txt", self.name)
         history |= {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
         names = list(_motion_columns(job.parameters))
         history |= {name: rows[:, 1 + n] for n, name in enumerate(names)}
@@ -284,7 +253,7 @@ class Liggghts:
         columns = {"force": ("fx", "fy", "fz"), "moment": ("tqx", "tqy", "tqz")}
         loads = []
         for number in range(len(spheres.motions)):
-            frames = read_dump(directory / f"loads{number}.dump", columns, 1.0)
+            frames = read_dump(directory / f"loads{number}.dump", columns, 1.0, self.name)
             if not frames:
                 raise CodeFailure(f"liggghts wrote no loads of motion {number}")
             found = frames[-1].columns
