@@ -10,8 +10,8 @@
 //
 // Adds the styles of ../src to a LIGGGHTS that is already built, as a shared library. The program,
 // or the preload, that holds this file comes before the library in the dynamic linker's order, so
-// its Force::new_bond, Modify::add_fix and Modify::add_compute are the ones called; they know the
-// added styles and hand everything else to the library's own.
+// its Force::new_bond, Force::new_pair, Modify::add_fix and Modify::add_compute are the ones
+// called; they know the added styles and hand everything else to the library's own.
 #include <dlfcn.h>
 
 #include <cstdio>
@@ -23,11 +23,14 @@
 #include "compute_solidem_broken_atom.h"
 #include "fix_nve_solidem.h"
 #include "fix_solidem_bonds.h"
+#include "fix_solidem_central.h"
 #include "fix_solidem_conduction.h"
+#include "fix_solidem_damage.h"
 #include "fix_solidem_exchange.h"
 #include "fix_solidem_temperature.h"
 #include "force.h"
 #include "modify.h"
+#include "pair_solidem_central.h"
 
 namespace LAMMPS_NS {
 
@@ -74,11 +77,33 @@ Bond* Force::new_bond(const char* style, const char* suffix, int& suffix_used) {
   return library_new_bond(this, style, suffix, suffix_used);
 }
 
+Pair* Force::new_pair(const char* style, const char* suffix, int& suffix_used) {
+  if (std::strcmp(style, "solidem/central") == 0) {
+    suffix_used = 0;
+    return new PairSolidemCentral(lmp);
+  }
+  typedef Pair* (*NewPair)(Force*, const char*, const char*, int&);
+  static const NewPair library_new_pair =
+      reinterpret_cast<NewPair>(library_function("_ZN9LAMMPS_NS5Force8new_pairEPKcS2_Ri"));
+  return library_new_pair(this, style, suffix, suffix_used);
+}
+
+Pair* Force::new_pair_from_restart(FILE* file, const char* style, const char* suffix,
+                                   int& suffix_used) {
+  if (std::strcmp(style, "solidem/central") == 0) return new_pair(style, suffix, suffix_used);
+  typedef Pair* (*NewPair)(Force*, FILE*, const char*, const char*, int&);
+  static const NewPair library_new_pair = reinterpret_cast<NewPair>(
+      library_function("_ZN9LAMMPS_NS5Force21new_pair_from_restartEP8_IO_FILEPKcS4_Ri"));
+  return library_new_pair(this, file, style, suffix, suffix_used);
+}
+
 void Modify::add_fix(int narg, char** arg, char* suffix) {
   auto& fixes = fix_map_of(*this);
   fixes["nve/solidem"] = &create_fix<FixNVESolidem>;
   fixes["solidem/bonds"] = &create_fix<FixSolidemBonds>;
+  fixes["solidem/central"] = &create_fix<FixSolidemCentral>;
   fixes["solidem/conduction"] = &create_fix<FixSolidemConduction>;
+  fixes["solidem/damage"] = &create_fix<FixSolidemDamage>;
   fixes["solidem/exchange"] = &create_fix<FixSolidemExchange>;
   fixes["solidem/temperature"] = &create_fix<FixSolidemTemperature>;
   typedef void (*AddFix)(Modify*, int, char**, char*);

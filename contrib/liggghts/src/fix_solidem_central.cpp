@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Copyright (C) solidem developers
+//
+// This program is free software: you can redistribute it and/or modify it under the terms of the
+// GNU General Public License as published by the Free Software Foundation, either version 2 of the
+// License, or (at your option) any later version. It comes with NO WARRANTY.
+//
+// Contributing author: solidem developers
+#include "fix_solidem_central.h"
+
+#include <string.h>
+
+#include <algorithm>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "pair_solidem_central.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+const char* const FixSolidemCentral::ID = "solidem_central";
+
+FixSolidemCentral::FixSolidemCentral(LAMMPS* liggghts, int narg, char** arg)
+    : Fix(liggghts, narg, arg), begun(false), totals(), known(false), most_partners(0) {
+  if (strcmp(id, ID) != 0 || !pair())
+    error->fix_error(FLERR, this, "is made by 'pair_style solidem/central', not by hand");
+  vector_flag = 1;
+  size_vector = 3;
+  global_freq = 1;
+  extvector = 0;
+  restart_global = 1;
+  restart_peratom = 1;
+  create_attribute = 1;
+  just_created = 0;  // else the first setup would empty the arrays after they were filled
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+FixSolidemCentral::~FixSolidemCentral() {
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+}
+
+PairSolidemCentral* FixSolidemCentral::pair() const {
+  return dynamic_cast<PairSolidemCentral*>(force->pair_match("solidem/central", 1));
+}
+
+int FixSolidemCentral::setmask() {
+  return PRE_NEIGHBOR;
+}
+
+void FixSolidemCentral::init() {
+  reserve_buffers();
+}
+
+// What the pair style made of the neighbour list is about to be wrong.
+void FixSolidemCentral::setup_pre_neighbor() {
+  pre_neighbor();
+}
+
+void FixSolidemCentral::pre_neighbor() {
+  pair()->forget_list();
+}
+
+/* ----------------------------------------------------------------------
+   LIGGGHTS takes atoms for ghosts as if they acted no farther than their
+   surfaces; these do. Half of what is asked for here, with the skin and the
+   atom's own radius, must be the reach of the largest atoms
+------------------------------------------------------------------------- */
+
+double FixSolidemCentral::extend_cut_ghost() {
+  double radius = 0.0, largest;
+  for (int i = 0; i < atom->nlocal; i++) radius = std::max(radius, atom->radius[i]);
+  MPI_Allreduce(&radius, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  return (4.0 * pair()->settings_of_style().reach() - 2.0) * largest;
+}
+
+void FixSolidemCentral::keep(int i, int tag, double distance) {
+  partners[i].push_back(Partner{tag, distance});
+}
+
+void FixSolidemCentral::end_of_keeping() {
+  size_t most = 0;
+  for (int i = 0; i < atom->nlocal; i++) most = std::max(most, partners[i].size());
+  const int here = static_cast<int>(most);
+  MPI_Allreduce(&here, &most_partners, 1, MPI_INT, MPI_MAX, world);
+  known = true;
+  reserve_buffers();
+}
+
+// For migrating atoms Comm keeps this much room besides its own.
+void FixSolidemCentral::reserve_buffers() {
+  comm->maxexchange_fix = std::max(comm->maxexchange_fix, maxsize_restart());
+}
+
+double FixSolidemCentral::initial_distance(int i, int tag) const {
+  for (const Partner& partner : partners[i])
+    if (partner.tag == tag) return partner.distance;
+  return 0.0;
+}
+
+double FixSolidemCentral::compute_vector(int n) {
+  double here = n == 0   ? totals.interactions
+                : n == 1 ? totals.interpenetration
+                         : totals.dissipated,
+         all;
+  MPI_Allreduce(&here, &all, 1, MPI_DOUBLE, n == 1 ? MPI_MAX : MPI_SUM, world);
+  return all;
+}
+
+void FixSolidemCentral::write_restart(FILE* fp) {
+  const double stored[5] = {static_cast<double>(known), static_cast<double>(begun),
+                            static_cast<double>(most_partners), compute_vector(1),
+                            compute_vector(2)};
+  if (comm->me != 0) return;
+  const int bytes = sizeof stored;
+  fwrite(&bytes, sizeof(int), 1, fp);
+  fwrite(stored, sizeof(double), 5, fp);
+}
+
+void FixSolidemCentral::restart(char* buffer) {
+  double stored[5];
+  memcpy(stored, buffer, sizeof stored);
+  known = stored[0] != 0.0;
+  begun = stored[1] != 0.0;
+  most_partners = static_cast<int>(stored[2]);
+  totals.interpenetration = stored[3];
+  if (comm->me == 0) totals.dissipated = stored[4];
+}
+
+void FixSolidemCentral::grow_arrays(int nmax) {
+  partners.resize(nmax);
+}
+
+void FixSolidemCentral::copy_arrays(int from, int to, int) {
+  partners[to] = partners[from];
+}
+
+void FixSolidemCentral::set_arrays(int i) {
+  partners[i].clear();
+}
+
+int FixSolidemCentral::pack_exchange(int i, double* buffer) {
+  int n = 0;
+  buffer[n++] = static_cast<double>(partners[i].size());
+  for (const Partner& partner : partners[i]) {
+    buffer[n++] = partner.tag;
+    buffer[n++] = partner.distance;
+  }
+  return n;
+}
+
+int FixSolidemCentral::unpack_exchange(int i, double* buffer) {
+  const int count = static_cast<int>(buffer[0]);
+  partners[i].clear();
+  for (int k = 0; k < count; k++) keep(i, static_cast<int>(buffer[1 + 2 * k]), buffer[2 + 2 * k]);
+  return 1 + 2 * count;
+}
+
+// LIGGGHTS' convention: the first number of a fix's restart data is its length.
+int FixSolidemCentral::pack_restart(int i, double* buffer) {
+  buffer[0] = 1 + pack_exchange(i, buffer + 1);
+  return static_cast<int>(buffer[0]);
+}
+
+void FixSolidemCentral::unpack_restart(int i, int nth) {
+  double* stored = atom->extra[i];
+  for (int fix = 0; fix < nth; fix++) stored += static_cast<int>(stored[0]);
+  unpack_exchange(i, stored + 1);
+}
+
+int FixSolidemCentral::size_restart(int i) {
+  return 2 + 2 * static_cast<int>(partners[i].size());
+}
+
+int FixSolidemCentral::maxsize_restart() {
+  return 2 + 2 * most_partners;
+}
+
+double FixSolidemCentral::memory_usage() {
+  double bytes = static_cast<double>(partners.capacity() * sizeof(partners[0]));
+  for (const std::vector<Partner>& list : partners)
+    bytes += static_cast<double>(list.capacity() * sizeof(Partner));
+  return bytes;
+}
