@@ -90,6 +90,25 @@ Json fibres_of(const Fibres& fibres) {
           {"stiffness_ratio", fibres.stiffness_ratio}};
 }
 
+Json central_forces_of(const CentralForceParameters& forces) {
+  Json result = Json::object();
+  std::visit(
+      [&result](const auto& law) {
+        result["law"] = law.name;
+        for (const auto& parameter : law.parameters())
+          result["parameters"][parameter.name] = law.*parameter.place;
+      },
+      forces.law);
+  result["range"] = forces.range;
+  result["equilibrium"] = name_of(forces.equilibrium);
+  result["neighbours"] = name_of(forces.neighbours);
+  result["interpenetration"] = forces.interpenetration;
+  result["dissipation"] = forces.dissipation ? Json(*forces.dissipation) : Json(nullptr);
+  result["skin"] = forces.skin;
+  result["bond_tolerance"] = forces.bond_tolerance;
+  return result;
+}
+
 Json laws_of(const Simulation& simulation) {
   const Setup& setup = simulation.setup();
   Json laws = Json::object();
@@ -121,6 +140,12 @@ Json laws_of(const Simulation& simulation) {
   if (setup.contact)
     laws["contact"] = {{"stiffness_ratio", setup.contact->stiffness_ratio},
                        {"rebonding_pressure", number(setup.contact->rebonding_pressure)}};
+  if (setup.central_forces) laws["central_forces"] = central_forces_of(*setup.central_forces);
+  if (setup.damage)
+    laws["damage"] = {{"lip", number(setup.damage->lip)},
+                      {"every", setup.damage->every},
+                      {"minimal_neighbours", setup.damage->minimal_neighbours},
+                      {"removal_every", setup.damage->removal_every}};
   if (setup.conduction) laws["conduction"] = conduction_of(simulation);
   return laws;
 }

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "effects/central_forces.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
 #include "model/error.hpp"
@@ -80,6 +81,14 @@ int run_scene(const RunCommand& command) {
   const bool completed = run(simulation, options);
   if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
     fmt::print("heat in time: {}\n", heat->integrator()->explanation());
+  if (const CentralForces* forces = simulation.central_forces();
+      forces != nullptr && forces->has_exceeded())
+    fmt::print(
+        "note: elements came as near as {:.3g} of their equilibrium distance overlapping, the "
+        "scene "
+        "allows for {:.3g}; beyond it the law went on with its slope there ([central_forces] "
+        "interpenetration)\n",
+        forces->largest_interpenetration(), forces->allowed_interpenetration());
   if (completed) return 0;
   fmt::print("interrupted at step {}; go on with: solidem run {} --output {} --resume\n",
              simulation.step(), command.scene, options.directory);

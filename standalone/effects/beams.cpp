@@ -312,6 +312,16 @@ void Beams::accelerate(Model& model) const {
   });
 }
 
+double Beams::longest_time_step(double squared_frequency) const {
+  return 2 / std::sqrt(squared_frequency);
+}
+
+void Beams::for_each_pair(const Model& model, const PairVisit& visit) const {
+  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+    if (i < j) visit(i, j, bond(model, i, j, row, lane).load().force);
+  });
+}
+
 void Beams::observe(const Model& model, Observation& observation) const {
   const std::size_t count = model.slots().padded_elements(), blocks = model.slots().blocks();
   ObservedMotion& motion = observation.motion;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "effects/beam_properties.hpp"
-#include "effects/effect.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "effects/mechanics.hpp"
 #include "effects/parameters.hpp"
 
 namespace solidem {
@@ -29,7 +29,7 @@ struct BeamDemands {
 ///
 /// A step flows, pulls and moves in one pass: bonds flow to the pose that the step begins with, and
 /// that flow is kept. A look at the state (`bond`, `observe`) sees the same flow and keeps nothing.
-class Beams : public Effect {
+class Beams : public Mechanics {
  public:
   /// Columns that the effect needs.
   static std::vector<const Column*> columns(const BeamDemands& demands, bool periodic);
@@ -39,10 +39,11 @@ class Beams : public Effect {
 
   /// min over bonds of sqrt(m/k_axial), sqrt(J/k_bend), sqrt(J/k_tors), with m and J of the lighter
   /// end, k_axial = ES/l, k_bend = EI/l, k_tors = GI_0/l.
-  std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const;
+  std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override;
+  double longest_time_step(double squared_frequency) const override;
 
   /// E S l of a bond of mean radius as long as its elements touch, J.
-  double typical_energy(const Model& model) const {
+  double typical_energy(const Model& model) const override {
     return 2 * rigidity_.axial * mean_radius(model.specimen());
   }
 
@@ -50,7 +51,8 @@ class Beams : public Effect {
 
   /// The elastic accelerations of the present pose, in the columns of the velocities, which must be
   /// zero; nothing moves, flows or breaks.
-  void accelerate(Model& model) const;
+  void accelerate(Model& model) const override;
+  void for_each_pair(const Model& model, const PairVisit& visit) const override;
 
   /// Slots that reached their limit in the last step, in increasing order; a bond may stand once or
   /// twice.

@@ -24,14 +24,15 @@ struct Step {
 
 /// Elements in motion at one instant, velocities brought to the time of the poses.
 struct ObservedMotion {
-  std::vector<Vector> force;             ///< of the bonds on each element, N
+  std::vector<Vector> force;             ///< of its neighbours on each element, N
   std::vector<Vector> moment;            ///< N·m
   std::vector<Vector> velocity;          ///< m/s
   std::vector<Vector> angular_velocity;  ///< rad/s
   double kinetic_energy = 0;             ///< of the motion that no grip imposes, J
-  double elastic_energy = 0;             ///< of the bonds, J
+  double elastic_energy = 0;             ///< of the bonds, or the potential of central forces, J
   double contact_energy = 0;             ///< stored in contacts, J
   double plastic_work = 0;               ///< of the bonds since the start, J
+  double dissipated_energy = 0;          ///< by drag between elements since the start, J
   double fracture_energy = 0;            ///< lost where bonds broke or formed, J
   double external_work = 0;              ///< done by the grips since the start, J
 };

@@ -21,6 +21,11 @@ Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
     for (int axis = 0; axis < 3; ++axis)
       if (imposed(axis)) velocity[Model::at(columns::velocity, i, axis)] = 0;
   }
+  if (!model.has(columns::carried_velocity)) return;
+  double* carried = model.data(columns::carried_velocity);
+  for (const std::int32_t e : elements_)
+    for (int axis = 0; axis < 3; ++axis)
+      if (imposed(axis)) carried[std::ptrdiff_t{4} * e + axis] = imposed_velocity(axis, 0);
 }
 
 bool Grip::imposed(int axis) const {
@@ -46,6 +51,8 @@ void Grip::advance(Model& model, const Step& step) {
   const double* pose = model.data(columns::pose);
   double* next = model.next(columns::pose);
   const double after = step.time + step.time_step;
+  double* carried =
+      model.has(columns::carried_velocity) ? model.next(columns::carried_velocity) : nullptr;
   for (int axis = 0; axis < 3; ++axis) {
     const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
     if (imposed(axis)) {
@@ -58,6 +65,8 @@ void Grip::advance(Model& model, const Step& step) {
         bond_force += v * mass_[k];
         v = 0;
         next[8 * i + static_cast<std::size_t>(axis)] = component(rest_[k], axis) + place;
+        if (carried != nullptr)
+          carried[4 * i + static_cast<std::size_t>(axis)] = moved / step.time_step;
       }
       double& last = last_displacement_[static_cast<std::size_t>(axis)];
       work_ -= bond_force / step.kick * 0.5 * (last + moved);
@@ -70,6 +79,7 @@ void Grip::advance(Model& model, const Step& step) {
         const std::size_t at = 8 * i + static_cast<std::size_t>(axis);
         velocity[Model::at(columns::velocity, i, axis)] += gain;
         next[at] += gain * step.time_step;
+        if (carried != nullptr) carried[4 * i + static_cast<std::size_t>(axis)] += gain;
         // The force at either end of a step works over half of it.
         const double mean_force = 0.5 * (force + control.function(after));
         work_ += mean_force * mass_[k] / total_mass_ * (next[at] - pose[at]);

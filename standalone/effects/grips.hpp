@@ -38,8 +38,10 @@ class Grip : public Effect {
   /// Displacement imposed along an axis at a time, m; 0 along an axis that is free or under force.
   double imposed_displacement(int axis, double time) const;
 
- private:
+  /// Whether the grip says where its elements are along an axis.
   bool imposed(int axis) const;
+
+ private:
   double imposed_velocity(int axis, double time) const;
   /// Corrects the observed velocities of the gripped elements, and the kinetic energy.
   void correct_motion(const Model& model, const Vector& grip_force, Observation& observation) const;

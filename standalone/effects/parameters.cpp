@@ -45,4 +45,12 @@ const char* name_of(ConductionParameters::Integrator integrator) {
   return "auto";
 }
 
+const char* name_of(CentralForceParameters::Equilibrium equilibrium) {
+  return equilibrium == CentralForceParameters::Equilibrium::initial ? "initial" : "radii";
+}
+
+const char* name_of(CentralForceParameters::Neighbours neighbours) {
+  return neighbours == CentralForceParameters::Neighbours::changing ? "changing" : "fixed";
+}
+
 }  // namespace solidem

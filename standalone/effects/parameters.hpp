@@ -6,10 +6,12 @@
 #define SOLIDEM_EFFECTS_PARAMETERS_HPP
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "laws/central_laws.hpp"
 #include "laws/oriented_modulus.hpp"
 #include "model/region.hpp"
 #include "model/shape.hpp"
@@ -84,6 +86,35 @@ struct ContactParameters {
       rebonding_pressure;  ///< contact force over beam section that bonds anew, Pa
 };
 
+/// Central forces between elements.
+struct CentralForceParameters {
+  enum class Equilibrium {
+    initial,  ///< neighbours at the start keep the distance they had
+    radii     ///< R_i + R_j
+  };
+  enum class Neighbours {
+    changing,  ///< whoever is within range
+    fixed      ///< those of the start, while within range
+  };
+  CentralLaw law;
+  double range = 0;  ///< α: elements nearer than α (R_i + R_j) act on each other
+  Equilibrium equilibrium = Equilibrium::initial;
+  Neighbours neighbours = Neighbours::changing;
+  double interpenetration = 0.1;      ///< a: deepest overlap, of the equilibrium distance, that the
+                                      ///< time step allows for
+  std::optional<double> dissipation;  ///< c, N·s/m
+  double skin = 0.1;                  ///< of the lists of neighbours, mean radii
+  double bond_tolerance = 0;  ///< t: neighbours at the start are nearer than (1 + t)(R_i + R_j)
+};
+
+/// Micro-cracks between elements under central forces, and elements that have lost their hold.
+struct DamageParameters {
+  std::optional<double> lip;         ///< C
+  std::int64_t every = 1;            ///< steps between two looks for lips
+  int minimal_neighbours = 0;        ///< elements that keep fewer within range are removed
+  std::int64_t removal_every = 100;  ///< steps between two such looks
+};
+
 /// Two materials that touch imperfectly.
 struct Contact {
   std::string first, second;  ///< names of the materials
@@ -109,6 +140,8 @@ struct ConductionParameters {
 /// As a scene spells them.
 const char* name_of(BeamParameters::Law law);
 const char* name_of(PlasticityParameters::Law law);
+const char* name_of(CentralForceParameters::Equilibrium equilibrium);
+const char* name_of(CentralForceParameters::Neighbours neighbours);
 const char* name_of(ConductionParameters::Law law);
 const char* name_of(ConductionParameters::Integrator integrator);
 

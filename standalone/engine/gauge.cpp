@@ -9,9 +9,9 @@
 namespace solidem {
 
 GaugeSection::GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& component_elements,
-                           const Beams& beams, const Model& model)
+                           const Mechanics& mechanics, const Model& model)
     : gauge_(gauge),
-      beams_(beams),
+      mechanics_(mechanics),
       cross_section_(model.specimen().domain.cross_section(gauge.axis)) {
   for (const std::int32_t e : component_elements) {
     const double along =
@@ -49,14 +49,13 @@ double GaugeSection::slope(const Model& model, int axis) const {
 void GaugeSection::observe(const Model& model, Observation& observation) const {
   const Specimen& specimen = model.specimen();
   double tension = 0;  // force times length along the axis
-  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (i > j) return;
+  mechanics_.for_each_pair(model, [&](std::int32_t i, std::int32_t j, const Vector& force) {
     const double from = component(specimen.position[static_cast<std::size_t>(i)], gauge_.axis);
     const double along = component(rest_chord(specimen, {i, j}), gauge_.axis);
     const double low = std::max(std::min(from, from + along), gauge_.lower);
     const double high = std::min(std::max(from, from + along), gauge_.upper);
     if (high <= low) return;
-    const double pull = component(beams_.bond(model, i, j, row, lane).load().force, gauge_.axis);
+    const double pull = component(force, gauge_.axis);
     tension += (along > 0 ? pull : -pull) * (high - low);
   });
   const double stress = tension / (gauge_.upper - gauge_.lower) / cross_section_;

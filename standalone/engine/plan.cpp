@@ -2,6 +2,7 @@
 #include "engine/plan.hpp"
 
 #include "effects/beams.hpp"
+#include "effects/central_forces.hpp"
 #include "effects/conduction.hpp"
 
 namespace solidem {
@@ -43,6 +44,16 @@ std::string beam_kernel(const BeamDemands& demands, bool periodic) {
   return kernel;
 }
 
+std::string central_kernel(const Setup& setup, bool periodic) {
+  const CentralForceParameters& forces = *setup.central_forces;
+  std::string kernel = "move_by_central_forces, ";
+  kernel += std::visit([](const auto& law) { return law.name; }, forces.law);
+  if (forces.dissipation) kernel += ", dissipation";
+  if (setup.damage && setup.damage->lip) kernel += ", cracks";
+  if (periodic) kernel += ", periodic";
+  return kernel;
+}
+
 /// The hot loop of conduction: a whole explicit step where it can be, else the power alone.
 std::string heat_kernel(const Setup& setup) {
   const bool varies = conductivity_varies(setup.materials) || capacity_varies(setup.materials);
@@ -74,6 +85,14 @@ Plan make_plan(const Setup& setup, bool periodic) {
     ask(plan, "beams", Beams::columns(demands, periodic));
     if (setup.rupture) plan.effects.push_back({"rupture", "[rupture]", ""});
     if (setup.contact) plan.effects.push_back({"contact", "[contact]", ""});
+  }
+  if (setup.central_forces) {
+    const bool cracks = setup.damage && setup.damage->lip;
+    // Damage looks at the places that a step begins with.
+    if (setup.damage)
+      plan.effects.push_back({"damage", "[damage]", cracks ? "find_crack_lips" : ""});
+    plan.effects.push_back({"central forces", "[central_forces]", central_kernel(setup, periodic)});
+    ask(plan, "central forces", CentralForces::columns(*setup.central_forces, cracks, periodic));
   }
   for (const GripParameters& grip : setup.grips)
     plan.effects.push_back({"grip " + grip.name, "[[grips]]", ""});

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "effects/beams.hpp"
+#include "effects/damage.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "effects/rupture.hpp"
 #include "engine/heat.hpp"
@@ -107,6 +108,33 @@ BondFields bond_fields(const Simulation& simulation, const std::vector<Pair>& pa
   return fields;
 }
 
+/// What a frame shows of the elements under central forces.
+struct NeighbourFields {
+  std::vector<double> interactions;  ///< neighbours within range
+  std::vector<double> lip;           ///< 1 where an element stands on a crack's lip, else 0
+  std::vector<double> removed;       ///< 1 where it was taken out, else 0
+};
+
+NeighbourFields neighbour_fields(const Simulation& simulation) {
+  NeighbourFields fields;
+  if (simulation.central_forces() == nullptr) return fields;
+  const Model& model = simulation.model();
+  for (const int count : simulation.central_forces()->neighbours_within_range())
+    fields.interactions.push_back(count);
+  const Damage* damage = simulation.damage();
+  if (damage == nullptr) return fields;
+  const auto elements = static_cast<std::int32_t>(model.elements());
+  if (damage->tells_lips())
+    for (std::int32_t i = 0; i < elements; ++i) {
+      const double* b = model.data(columns::barycentre) + std::ptrdiff_t{4} * i;
+      fields.lip.push_back(b[0] != 0 || b[1] != 0 || b[2] != 0 ? 1 : 0);
+    }
+  if (damage->removes())
+    for (std::int32_t i = 0; i < elements; ++i)
+      fields.removed.push_back(damage->is_removed(i) ? 1 : 0);
+  return fields;
+}
+
 /// First multiple of an interval after a step.
 std::int64_t next_multiple(std::int64_t step, std::int64_t interval) {
   return (step / interval + 1) * interval;
@@ -119,7 +147,8 @@ class Recorder {
     prepare_directory(options.directory);
     // Bonds are drawn where they carry loads, those that have broken as well; without motion their
     // list is not worth its memory.
-    if (simulation.model().has(columns::pose) && simulation.setup().output.frames > 0)
+    // Under central forces, neighbours change: what is drawn are the elements.
+    if (simulation.beams() != nullptr && simulation.setup().output.frames > 0)
       bonds_ = simulation.model().slots().pairs();
     if (options.resume) restore();
     first_step_ = simulation.step();
@@ -229,6 +258,11 @@ class Recorder {
       fields.push_back({"temperature", 1, model.data(columns::temperature)});
     if (model.has(columns::plastic_work))
       fields.push_back({"plastic_work", 1, model.data(columns::plastic_work)});
+    const NeighbourFields neighbours = neighbour_fields(simulation_);
+    if (!neighbours.interactions.empty())
+      fields.push_back({"interactions", 1, neighbours.interactions.data()});
+    if (!neighbours.lip.empty()) fields.push_back({"lip", 1, neighbours.lip.data()});
+    if (!neighbours.removed.empty()) fields.push_back({"removed", 1, neighbours.removed.data()});
     const BondFields bonds = bond_fields(simulation_, bonds_);
     if (bonds.is_wanted) {
       fields.push_back({"broken_bonds", 1, bonds.broken_of_element.data()});
@@ -278,6 +312,13 @@ class Recorder {
       summary["elements_removed"] = rupture->removed();
       if (!rupture->broken().empty()) summary["first_rupture"] = {{"time", rupture->first_time()}};
     }
+    if (const CentralForces* forces = simulation_.central_forces()) {
+      summary["neighbour_searches"] = forces->searches();
+      summary["largest_interpenetration"] = forces->largest_interpenetration();
+      summary["allowed_interpenetration"] = forces->allowed_interpenetration();
+    }
+    if (const Damage* damage = simulation_.damage())
+      summary["elements_removed"] = damage->removed();
     if (const Heat* heat = simulation_.heat()) {
       summary["conduction"] = {{"law", name_of(simulation_.setup().conduction->law)},
                                {"area_factor", heat->area_factor()}};

@@ -53,6 +53,8 @@ struct Setup {
   std::optional<PlasticityParameters> plasticity;
   std::optional<RuptureParameters> rupture;
   std::optional<ContactParameters> contact;
+  std::optional<CentralForceParameters> central_forces;
+  std::optional<DamageParameters> damage;
   std::optional<ConductionParameters> conduction;
   std::vector<GripParameters> grips;
   std::vector<ImposedTemperatureParameters> temperatures;
@@ -64,6 +66,9 @@ struct Setup {
   std::optional<Gauge> gauge;
   RunControl run;
   OutputControl output;
+
+  /// Whether elements move.
+  bool has_motion() const { return beams || central_forces; }
 };
 
 }  // namespace solidem

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "effects/beams.hpp"
+#include "effects/central_forces.hpp"
 #include "effects/contact.hpp"
+#include "effects/damage.hpp"
 #include "effects/grips.hpp"
 #include "effects/rupture.hpp"
 #include "engine/gauge.hpp"
@@ -55,14 +57,14 @@ std::vector<double> densities(const std::vector<Material>& materials,
 
 Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
     : setup_(setup), model_(make_model(std::move(specimen))) {
-  if (!setup_.beams && !setup_.conduction)
+  if (!setup_.has_motion() && !setup_.conduction)
     throw InputError(
-        "the scene names no effect, so there is nothing to simulate; add [beams] or "
-        "[conduction]");
+        "the scene names no effect, so there is nothing to simulate; add [beams], "
+        "[central_forces] or [conduction]");
   plan_ = make_plan(setup_, model_.specimen().domain.is_periodic());
   for (const PlannedColumn& planned : plan_.columns) model_.add(*planned.column);
   const std::vector<std::size_t> material = assign_materials(setup_.materials, model_.specimen());
-  if (setup_.beams) add_motion(densities(setup_.materials, material));
+  if (setup_.has_motion()) add_motion(densities(setup_.materials, material));
   if (setup_.conduction)
     heat_ = std::make_unique<Heat>(setup_, std::move(*geometry_), material, model_, selections_);
   geometry_.reset();
@@ -71,9 +73,9 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   if (heat_ != nullptr) heat_->start(static_cast<double>(steps_to_run()) * time_step_.value);
   take_stock();
   // Of bonds that are strained by round-off, with a wide margin.
-  if (beams_ != nullptr)
+  if (mechanics_ != nullptr)
     round_off_energy_ =
-        1e-18 * static_cast<double>(model_.slots().bonds()) * beams_->typical_energy(model_);
+        1e-18 * static_cast<double>(model_.slots().bonds()) * mechanics_->typical_energy(model_);
 }
 
 Model Simulation::make_model(Specimen specimen) {
@@ -82,16 +84,18 @@ Model Simulation::make_model(Specimen specimen) {
   std::optional<std::vector<Pair>> conductors;
   if (setup_.conduction) {
     const bool by_faces = setup_.conduction->law == ConductionParameters::Law::voronoi;
-    // Heat passes where elements touch, not along fibres.
+    // Heat passes where elements touch, not along fibres nor as far as central forces reach.
     const bool past_fibres = !by_faces && setup_.beams && setup_.beams->fibres;
+    const bool by_touch = !by_faces && setup_.central_forces;
     std::vector<Pair> bonds;
     if (past_fibres) bonds = std::exchange(specimen.bonds, bonds_in_contact(specimen));
+    if (by_touch) bonds = std::exchange(specimen.bonds, find_bonds(specimen, 0));
     geometry_ = std::make_unique<ConductionGeometry>(
         scaled_geometry(*setup_.conduction, specimen, setup_.conduction->area_factor));
-    if (past_fibres) conductors = std::exchange(specimen.bonds, std::move(bonds));
+    if (past_fibres || by_touch) conductors = std::exchange(specimen.bonds, std::move(bonds));
     // Where nothing but heat is simulated, the faces are all that bonds are needed for.
-    if (by_faces && !setup_.beams) specimen.bonds = geometry_->faces;
-    if (by_faces && setup_.beams) conductors = geometry_->faces;
+    if (by_faces && !setup_.has_motion()) specimen.bonds = geometry_->faces;
+    if (by_faces && setup_.has_motion()) conductors = geometry_->faces;
   }
   const std::vector<std::int32_t> bonds = count_bonds(specimen);
   unbonded_ = static_cast<std::size_t>(std::count(bonds.begin(), bonds.end(), 0));
@@ -100,10 +104,13 @@ Model Simulation::make_model(Specimen specimen) {
 
 Simulation::~Simulation() = default;
 
-void Simulation::add_motion(const std::vector<double>& density) {
-  const std::vector<double> mass = represented_mass(model_.specimen(), density);
+std::vector<Pair> Simulation::pairs() const {
+  return central_forces_ != nullptr ? central_forces_->initial_pairs() : model_.slots().pairs();
+}
+
+void Simulation::add_beams(const std::vector<double>& mass) {
   auto beams = std::make_unique<Beams>(demands_of(setup_), mass, model_);
-  beams_ = beams.get();
+  mechanics_ = beams_ = beams.get();
   effects_.push_back(std::move(beams));
   if (setup_.rupture) {
     auto rupture = std::make_unique<Rupture>(*setup_.rupture, *beams_, model_);
@@ -113,30 +120,53 @@ void Simulation::add_motion(const std::vector<double>& density) {
   if (setup_.contact)
     effects_.push_back(
         std::make_unique<ElementContacts>(*setup_.contact, *beams_, *rupture_, model_));
+}
+
+void Simulation::add_central_forces(const std::vector<double>& mass) {
+  auto forces = std::make_unique<CentralForces>(*setup_.central_forces, mass, model_);
+  mechanics_ = central_forces_ = forces.get();
+  if (setup_.damage) {
+    auto damage = std::make_unique<Damage>(*setup_.damage, *central_forces_, model_);
+    damage_ = damage.get();
+    effects_.push_back(std::move(damage));
+  }
+  effects_.push_back(std::move(forces));
+}
+
+void Simulation::add_motion(const std::vector<double>& density) {
+  const std::vector<double> mass = represented_mass(model_.specimen(), density);
+  if (setup_.beams) add_beams(mass);
+  if (setup_.central_forces) add_central_forces(mass);
   for (const InitialVelocity& initial : setup_.initial_velocities)
     for (const std::int32_t e : select(initial.region, model_.specimen())) {
       const Domain& domain = model_.specimen().domain;
       const auto i = static_cast<std::size_t>(e);
       const Vector from_middle =
           model_.specimen().position[i] - 0.5 * (domain.lower + domain.upper);
-      for (int axis = 0; axis < 3; ++axis)
-        model_.data(columns::velocity)[Model::at(columns::velocity, i, axis)] =
-            component(initial.velocity, axis) +
-            component(initial.stretching, axis) * component(from_middle, axis);
+      for (int axis = 0; axis < 3; ++axis) {
+        const double v = component(initial.velocity, axis) +
+                         component(initial.stretching, axis) * component(from_middle, axis);
+        model_.data(columns::velocity)[Model::at(columns::velocity, i, axis)] = v;
+        if (model_.has(columns::carried_velocity))
+          model_.data(columns::carried_velocity)[4 * i + static_cast<std::size_t>(axis)] = v;
+      }
     }
   std::map<std::int32_t, std::string> gripped;
   for (const GripParameters& grip : setup_.grips) {
     std::vector<std::int32_t> elements =
         select_some(selections_, "grip." + grip.name, grip.region, model_.specimen());
     claim(gripped, elements, "[[grips]]", grip.name, model_.specimen());
-    effects_.push_back(std::make_unique<Grip>(grip, std::move(elements), mass, model_));
+    auto made = std::make_unique<Grip>(grip, std::move(elements), mass, model_);
+    if (made->imposed(0) || made->imposed(1) || made->imposed(2))
+      mechanics_->expect_driven(made->elements());
+    effects_.push_back(std::move(made));
   }
 }
 
 void Simulation::add_observers() {
   if (setup_.gauge) {
-    auto gauge =
-        std::make_unique<GaugeSection>(*setup_.gauge, selections_["component"], *beams_, model_);
+    auto gauge = std::make_unique<GaugeSection>(*setup_.gauge, selections_["component"],
+                                                *mechanics_, model_);
     selections_.erase("component");
     selections_["gauge"] = gauge->elements();
     observers_.push_back(std::move(gauge));
@@ -154,10 +184,10 @@ void Simulation::choose_time_step(bool force) {
   // Contacts that take the places of bonds may be stiffer than these; root of the stiffness.
   const double stiffer =
       setup_.contact ? std::sqrt(std::max(1.0, setup_.contact->stiffness_ratio)) : 1.0;
-  if (beams_ != nullptr) criteria = beams_->time_step_criteria(model_);
+  if (mechanics_ != nullptr) criteria = mechanics_->time_step_criteria(model_);
   if (beams_ != nullptr && stiffer > 1)
     criteria.push_back({"stiffness of contacts", criteria.front().value / stiffer});
-  if (heat_ != nullptr && (explicit_heat || beams_ == nullptr))
+  if (heat_ != nullptr && (explicit_heat || mechanics_ == nullptr))
     criteria.push_back(heat_->criterion());
   TimeStepChoice& choice = time_step_;
   choice.bound = choice.limit = std::numeric_limits<double>::infinity();
@@ -166,11 +196,11 @@ void Simulation::choose_time_step(bool force) {
       choice.bound = criterion.value;
       choice.criterion = criterion.name;
     }
-  if (beams_ != nullptr) choice.limit = stable_time_step(*beams_, model_) / stiffer;
+  if (mechanics_ != nullptr) choice.limit = stable_time_step(*mechanics_, model_) / stiffer;
   if (explicit_heat) choice.limit = std::min(choice.limit, heat_->limit());
   const RunControl& run = setup_.run;
   // Heat that is not bound by stability takes as many steps as the history has rows.
-  const bool free_steps = heat_ != nullptr && !explicit_heat && beams_ == nullptr;
+  const bool free_steps = heat_ != nullptr && !explicit_heat && mechanics_ == nullptr;
   const double by_default = free_steps && run.duration && !run.time_step_ratio
                                 ? *run.duration / default_rows
                                 : run.time_step_ratio.value_or(default_ratio) * choice.bound;
@@ -209,7 +239,7 @@ void Simulation::insist_on_bounded_energy() {
   if (model_.has(columns::plastic_work))
     for (std::size_t i = 0; i < model_.elements(); ++i)
       spent += model_.data(columns::plastic_work)[i];
-  double work = initial_energy_;
+  double work = initial_energy_ + mechanics_->releasable_energy(model_);
   for (const auto& effect : effects_) work += effect->work();
   largest_work_ = std::max(largest_work_, work);
   if (spent <= factor * largest_work_ + round_off_energy_) return;
@@ -228,13 +258,14 @@ void Simulation::take_stock() {
 
 void Simulation::advance(std::int64_t steps) {
   // Whatever moves when the first step begins was put there.
-  if (step_ == 0 && steps > 0 && beams_ != nullptr) take_stock();
+  if (step_ == 0 && steps > 0 && mechanics_ != nullptr) take_stock();
   for (std::int64_t n = 0; n < steps; ++n) {
-    if (beams_ != nullptr && step_ % check_every == 0) insist_on_bounded_energy();
+    if (mechanics_ != nullptr && step_ % check_every == 0) insist_on_bounded_energy();
     const double dt = time_step_.value;
     const Step step{time(), dt, step_ == 0 ? 0.5 * dt : dt};
     for (const auto& effect : effects_) effect->advance(model_, step);
-    if (beams_ != nullptr) model_.swap(columns::pose);
+    if (mechanics_ != nullptr) model_.swap(columns::pose);
+    if (model_.has(columns::carried_velocity)) model_.swap(columns::carried_velocity);
     if (heat_ != nullptr) heat_->advance(step);
     ++step_;
   }
@@ -260,12 +291,15 @@ HistoryRow Simulation::observe(Observation& observation) const {
   for (const auto& observer : observers_) observer->observe(model_, observation);
 
   HistoryRow row{step_, time(), {}};
-  if (beams_ != nullptr) {
+  if (mechanics_ != nullptr) {
     const ObservedMotion& motion = observation.motion;
     const double energy = motion.kinetic_energy + motion.elastic_energy + motion.contact_energy +
-                          motion.plastic_work + motion.fracture_energy;
+                          motion.plastic_work + motion.fracture_energy + motion.dissipated_energy;
     row.values.emplace_back("kinetic_energy", motion.kinetic_energy);
-    row.values.emplace_back("elastic_energy", motion.elastic_energy);
+    row.values.emplace_back(beams_ != nullptr ? "elastic_energy" : "potential_energy",
+                            motion.elastic_energy);
+    if (model_.has(columns::dissipated_energy))
+      row.values.emplace_back("dissipated_energy", motion.dissipated_energy);
     if (setup_.contact) row.values.emplace_back("contact_energy", motion.contact_energy);
     if (setup_.plasticity) row.values.emplace_back("plastic_work", motion.plastic_work);
     if (setup_.rupture) row.values.emplace_back("fracture_energy", motion.fracture_energy);

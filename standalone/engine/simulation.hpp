@@ -16,7 +16,10 @@
 namespace solidem {
 
 class Beams;
+class CentralForces;
+class Damage;
 class Heat;
+class Mechanics;
 class Rupture;
 struct ConductionGeometry;
 
@@ -72,9 +75,17 @@ class Simulation {
   /// Elements without a bond: free to move, with nothing to move them, and outside of all measures.
   std::size_t unbonded() const { return unbonded_; }
 
+  /// The pairs that were neighbours at the start or, where bonds join them, are bonded now.
+  std::vector<Pair> pairs() const;
+
   /// The bonds; none without beams.
   const Beams* beams() const { return beams_; }
-  /// What breaks them; none without rupture.
+  /// The central forces; none without them.
+  const CentralForces* central_forces() const { return central_forces_; }
+  /// What tells cracks among them; none without damage.
+  const Damage* damage() const { return damage_; }
+
+  /// What breaks the bonds; none without rupture.
   const Rupture* rupture() const { return rupture_; }
 
   /// What conducts and heats; none without conduction.
@@ -87,6 +98,8 @@ class Simulation {
 
  private:
   void add_motion(const std::vector<double>& density);
+  void add_beams(const std::vector<double>& mass);
+  void add_central_forces(const std::vector<double>& mass);
   /// Makes the model: bonds and, if heat passes elsewhere, its conductors.
   Model make_model(Specimen specimen);
   void add_observers();
@@ -108,7 +121,10 @@ class Simulation {
   std::int64_t step_ = 0;
   std::vector<std::unique_ptr<Effect>> effects_;  ///< of motion
   std::vector<std::unique_ptr<Observer>> observers_;
+  Mechanics* mechanics_ = nullptr;  ///< the beams or the central forces, if any
   Beams* beams_ = nullptr;
+  CentralForces* central_forces_ = nullptr;
+  Damage* damage_ = nullptr;
   Rupture* rupture_ = nullptr;
   std::unique_ptr<Heat> heat_;
   double initial_energy_ = 0;

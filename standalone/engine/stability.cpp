@@ -15,7 +15,7 @@ constexpr int iterations = 60;
 
 }  // namespace
 
-double stable_time_step(Beams& beams, Model& model) {
+double stable_time_step(const Mechanics& mechanics, Model& model) {
   const std::size_t elements = model.elements();
   double* velocity = model.data(columns::velocity);
   const bool turning = model.has(columns::angular_velocity);
@@ -38,6 +38,18 @@ double stable_time_step(Beams& beams, Model& model) {
     shape[k] = amplitude * pseudo_random(k) / (turns ? model.specimen().radius[k / 6] : 1.0);
   }
 
+  // Elements may press each other at rest: what counts is how displacements change that.
+  std::fill(velocity, velocity + model.size(columns::velocity), 0.0);
+  std::fill(spin, spin + spins, 0.0);
+  for (std::size_t i = 0; i < elements; ++i) {
+    const Vector& rest = model.specimen().position[i];
+    std::copy_n(&rest.x, 3, pose + 8 * i);
+    pose[8 * i + 4] = 1;
+    std::fill_n(pose + 8 * i + 5, 3, 0.0);
+  }
+  mechanics.accelerate(model);
+  const std::vector<double> at_rest(velocity, velocity + model.size(columns::velocity));
+
   double squared_frequency = 0;
   for (int n = 0; n < iterations; ++n) {
     for (std::size_t i = 0; i < elements; ++i) {
@@ -54,7 +66,7 @@ double stable_time_step(Beams& beams, Model& model) {
     }
     std::fill(velocity, velocity + model.size(columns::velocity), 0.0);
     std::fill(spin, spin + spins, 0.0);
-    beams.accelerate(model);
+    mechanics.accelerate(model);
 
     double product = 0, square = 0, largest = 0;
     for (std::size_t k = 0; k < shape.size(); ++k) {
@@ -64,7 +76,8 @@ double stable_time_step(Beams& beams, Model& model) {
       if (turns && !turning) continue;
       const double weight = 1 / (turns ? inverse_inertia[i] : inverse_mass[i]);
       const double length = turns ? model.specimen().radius[i] : 1.0;
-      const double acceleration = (turns ? spin : velocity)[Model::at(columns::velocity, i, axis)];
+      const std::size_t at = Model::at(columns::velocity, i, axis);
+      const double acceleration = turns ? spin[at] : velocity[at] - at_rest[at];
       product -= weight * shape[k] * acceleration;
       square += weight * shape[k] * shape[k];
       shape[k] = acceleration;
@@ -77,7 +90,7 @@ double stable_time_step(Beams& beams, Model& model) {
   std::copy(saved_pose.begin(), saved_pose.end(), pose);
   std::copy(saved_velocity.begin(), saved_velocity.end(), velocity);
   std::copy(saved_spin.begin(), saved_spin.end(), spin);
-  return squared_frequency > 0 ? 2 / std::sqrt(squared_frequency)
+  return squared_frequency > 0 ? mechanics.longest_time_step(squared_frequency)
                                : std::numeric_limits<double>::infinity();
 }
 

@@ -2,14 +2,15 @@
 #ifndef SOLIDEM_ENGINE_STABILITY_HPP
 #define SOLIDEM_ENGINE_STABILITY_HPP
 
-#include "effects/beams.hpp"
+#include "effects/mechanics.hpp"
 
 namespace solidem {
 
-/// The largest stable time step of beams at rest, 2/ω_max, s. ω_max by power iteration on the
-/// accelerations that the beam kernel itself gives for small displacements; the state is left as it
-/// was. The iteration comes from above: the result is at most about 2 % too long.
-double stable_time_step(Beams& beams, Model& model);
+/// The largest stable time step of elements near rest, s, from their largest frequency: 2/ω_max, or
+/// what the mechanics make of it. ω_max by power iteration on the accelerations that the kernel
+/// itself gives for small displacements; the state is left as it was. The iteration comes from
+/// above: the result is at most about 2 % too long.
+double stable_time_step(const Mechanics& mechanics, Model& model);
 
 }  // namespace solidem
 

@@ -37,8 +37,14 @@ using Layout = Column::Layout;
 
 /// What a neighbour reads of an element, in one cache line.
 inline constexpr Column pose{
-    "pose", Site::element, Layout::rows, 8,
-    2,      true,          "m, 1",       "centre x y z, spare, orientation quaternion w x y z"};
+    "pose",
+    Site::element,
+    Layout::rows,
+    8,
+    2,
+    true,
+    "m, 1",
+    "centre x y z, radius under central forces, orientation quaternion w x y z"};
 inline constexpr Column velocity{
     "velocity", Site::element, Layout::lanes, 3,
     1,          true,          "m/s",         "half a time step behind the pose"};
@@ -128,6 +134,40 @@ inline constexpr Column image_shift{"image_shift",
                                     false,
                                     "m",
                                     "added to the neighbour's centre across a periodic face"};
+inline constexpr Column carried_velocity{
+    "carried_velocity",
+    Site::element,
+    Layout::rows,
+    4,
+    2,
+    true,
+    "m/s",
+    "as neighbours feel it, imposed ones too: x y z, spare; half a time step behind the pose"};
+inline constexpr Column dissipated_energy{"dissipated_energy",
+                                          Site::element,
+                                          Layout::lanes,
+                                          1,
+                                          1,
+                                          true,
+                                          "J",
+                                          "half of that of the element's pairs"};
+inline constexpr Column barycentre{
+    "barycentre",
+    Site::element,
+    Layout::rows,
+    4,
+    1,
+    true,
+    "m, 1",
+    "of the neighbours, from the element, where it is a crack's lip, else 0; their number"};
+inline constexpr Column listed_place{"listed_place",
+                                     Site::element,
+                                     Layout::lanes,
+                                     3,
+                                     1,
+                                     true,
+                                     "m",
+                                     "where the element stood when neighbours were sought"};
 inline constexpr Column temperature{"temperature", Site::element, Layout::lanes,   1, 2,
                                     true,          "K",           "of the element"};
 inline constexpr Column inverse_heat_capacity{

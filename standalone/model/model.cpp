@@ -37,6 +37,14 @@ void Model::add(const Column& column) {
   storage_.push_back(std::move(storage));
 }
 
+void Model::replace_slots(Slots slots) {
+  slots_ = std::move(slots);
+  for (Storage& storage : storage_)
+    if (storage.column->site == Site::slot)
+      for (int b = 0; b < storage.column->buffers; ++b)
+        storage.buffer[b] = Buffer<double>(size(*storage.column));
+}
+
 double* Model::data(const Column& column) {
   Storage& storage = require(column);
   return storage.buffer[storage.current].data();

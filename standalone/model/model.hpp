@@ -23,6 +23,8 @@ class Model {
   const Slots& slots() const { return slots_; }
   /// Bonds may break and form anew.
   Slots& slots() { return slots_; }
+  /// Other neighbours in the place of those before; columns of slots are laid out anew, zeroed.
+  void replace_slots(Slots slots);
   /// Both sides of the pairs that conduct heat: the slots of the bonds unless others were given.
   const Slots& conductors() const { return conductors_ ? *conductors_ : slots_; }
   std::size_t elements() const { return specimen_.size(); }

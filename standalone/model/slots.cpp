@@ -13,16 +13,7 @@ Slots::Slots(std::size_t elements, const std::vector<Pair>& bonds)
     ++used[static_cast<std::size_t>(bond.i)];
     ++used[static_cast<std::size_t>(bond.j)];
   }
-  first_row_.resize(blocks + 1);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const auto first = used.begin() + static_cast<std::ptrdiff_t>(b * lanes);
-    first_row_[b + 1] = first_row_[b] + *std::max_element(first, first + lanes);
-  }
-  neighbour_ = Buffer<std::int32_t>(std::size_t{first_row_.back()} * lanes);
-  for (std::size_t b = 0; b < blocks; ++b)
-    for (std::size_t k = first_row_[b] * std::size_t{lanes};
-         k < first_row_[b + 1] * std::size_t{lanes}; ++k)
-      neighbour_[k] = static_cast<std::int32_t>(b * lanes + k % lanes);
+  lay_out(used);
 
   // Bonds are sorted pairs i < j: filling first the lower, then the higher neighbours leaves every
   // element's neighbours in increasing order, whoever wrote the bonds.
@@ -34,6 +25,35 @@ Slots::Slots(std::size_t elements, const std::vector<Pair>& bonds)
   };
   for (const Pair& bond : bonds) put(bond.j, bond.i);
   for (const Pair& bond : bonds) put(bond.i, bond.j);
+}
+
+Slots::Slots(const std::vector<std::uint32_t>& first, const std::vector<std::int32_t>& neighbours,
+             std::size_t bonds)
+    : elements_(first.size() - 1), bonds_(bonds) {
+  std::vector<std::uint32_t> used((elements_ + lanes - 1) / lanes * lanes, 0);
+  for (std::size_t i = 0; i < elements_; ++i) used[i] = first[i + 1] - first[i];
+  lay_out(used);
+  const auto count = static_cast<std::ptrdiff_t>(elements_);
+#pragma omp parallel for schedule(static) if (count > 20000)
+  for (std::ptrdiff_t element = 0; element < count; ++element) {
+    const auto i = static_cast<std::size_t>(element);
+    for (std::size_t k = first[i]; k < first[i + 1]; ++k)
+      neighbour_[(first_row_[i / lanes] + (k - first[i])) * lanes + i % lanes] = neighbours[k];
+  }
+}
+
+void Slots::lay_out(const std::vector<std::uint32_t>& used) {
+  const std::size_t blocks = used.size() / lanes;
+  first_row_.resize(blocks + 1);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const auto first = used.begin() + static_cast<std::ptrdiff_t>(b * lanes);
+    first_row_[b + 1] = first_row_[b] + *std::max_element(first, first + lanes);
+  }
+  neighbour_ = Buffer<std::int32_t>(std::size_t{first_row_.back()} * lanes);
+  for (std::size_t b = 0; b < blocks; ++b)
+    for (std::size_t k = first_row_[b] * std::size_t{lanes};
+         k < first_row_[b + 1] * std::size_t{lanes}; ++k)
+      neighbour_[k] = static_cast<std::int32_t>(b * lanes + k % lanes);
 }
 
 std::int32_t Slots::element_of(Place place) const {

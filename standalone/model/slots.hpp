@@ -23,6 +23,11 @@ class Slots {
  public:
   Slots() = default;
   Slots(std::size_t elements, const std::vector<Pair>& bonds);
+  /// Of lists that see each neighbour from both sides: those of element i stand from first[i] to
+  /// first[i + 1], one beyond the last, and keep their order. A neighbour may stand several times,
+  /// as several images. `bonds`: what bonds() tells.
+  Slots(const std::vector<std::uint32_t>& first, const std::vector<std::int32_t>& neighbours,
+        std::size_t bonds);
 
   std::size_t elements() const { return elements_; }
   /// Bonds at the start.
@@ -85,6 +90,9 @@ class Slots {
   std::vector<Pair> pairs() const;
 
  private:
+  /// Lays out empty slots, `used` of each element.
+  void lay_out(const std::vector<std::uint32_t>& used);
+
   std::size_t elements_ = 0, bonds_ = 0;
   std::vector<std::uint32_t> first_row_{0};
   Buffer<std::int32_t> neighbour_;

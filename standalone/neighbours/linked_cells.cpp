@@ -7,7 +7,7 @@
 namespace solidem {
 
 LinkedCells::LinkedCells(const CellBox& box, double reach, std::size_t elements)
-    : box_(box), extent_(box.upper - box.lower) {
+    : box_(box), reach_(reach), extent_(box.upper - box.lower) {
   if (!(reach > 0)) return;  // one cell holds all
   // About one element a cell is best; far more cells than elements would only cost memory.
   const double most_cells = 4.0 * static_cast<double>(elements) + 64.0;
@@ -85,6 +85,42 @@ int LinkedCells::forward_neighbours(std::size_t cell,
           neighbours[found++] = (there[2] * counts_[1] + there[1]) * counts_[0] + there[0];
       }
   return found;
+}
+
+void LinkedCells::find_ranges_around(std::size_t cell, std::vector<Range>& ranges) const {
+  const std::array<std::size_t, 3> here{cell % counts_[0], cell / counts_[0] % counts_[1],
+                                        cell / (counts_[0] * counts_[1])};
+  // How many cells the reach spans: one, or more where a period is short and repeated.
+  std::array<int, 3> steps{1, 1, 1}, count{}, low{}, high{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    count[a] = static_cast<int>(counts_[a]);
+    const int at = static_cast<int>(here[a]);
+    if (box_.periodic[a])
+      steps[a] =
+          static_cast<int>(std::ceil(reach_ * count[a] / component(extent_, static_cast<int>(a))));
+    low[a] = box_.periodic[a] ? at - steps[a] : std::max(0, at - 1);
+    high[a] = box_.periodic[a] ? at + steps[a] : std::min(count[a] - 1, at + 1);
+  }
+  const auto periods_of = [](int cell_there, int cells) {
+    return cell_there < 0 ? -((cells - 1 - cell_there) / cells) : cell_there / cells;
+  };
+  ranges.clear();
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y) {
+      const int pz = periods_of(z, count[2]), py = periods_of(y, count[1]);
+      const std::size_t row = (static_cast<std::size_t>(z - pz * count[2]) * counts_[1] +
+                               static_cast<std::size_t>(y - py * count[1])) *
+                              counts_[0];
+      // Cells along x follow each other until a period ends.
+      for (int x = low[0]; x <= high[0];) {
+        const int px = periods_of(x, count[0]);
+        const int end = std::min(high[0] + 1, (px + 1) * count[0]);
+        ranges.push_back({first_[row + static_cast<std::size_t>(x - px * count[0])],
+                          first_[row + static_cast<std::size_t>(end - px * count[0])],
+                          {px, py, pz}});
+        x = end;
+      }
+    }
 }
 
 std::vector<Pair> neighbour_pairs(const CellBox& box, const std::vector<Vector>& position,

@@ -43,17 +43,35 @@ class LinkedCells {
   template <class Visit>
   void for_each_pair(std::size_t first_cell, std::size_t last_cell, Visit&& visit) const;
 
- private:
+  /// An element as it stands in the box, or an image of it.
   struct Resident {
-    Vector position;  // the image inside the box
+    Vector position;
     std::int32_t element;
   };
 
+  /// Elements of a cell, in ascending order.
+  std::size_t first_of(std::size_t cell) const { return first_[cell]; }
+  const Resident& resident(std::size_t k) const { return residents_[k]; }
+
+  /// Residents that follow each other, moved by so many periods along x, y, z.
+  struct Range {
+    std::size_t first, last;
+    std::array<int, 3> periods;
+  };
+  /// Replaces the ranges by those of all elements, and images of elements, that may stand within
+  /// reach of one in this cell: those of the cell itself and of the cells around it.
+  void find_ranges_around(std::size_t cell, std::vector<Range>& ranges) const;
+
+  /// Lengths of the box, m.
+  const Vector& extent() const { return extent_; }
+
+ private:
   // The cells that `cell` asks, without itself, each once; how many there are.
   int forward_neighbours(std::size_t cell, std::array<std::size_t, 13>& neighbours) const;
   Vector chord(const Vector& from, const Vector& to) const;
 
   CellBox box_;
+  double reach_ = 0;
   Vector extent_{};
   std::array<std::size_t, 3> counts_{1, 1, 1};
   std::vector<std::size_t> first_;  // of the residents of each cell; one more at the end

@@ -16,7 +16,10 @@ namespace solidem {
 Specimen make_body(const Scene& scene, const ReportProgress& progress) {
   Specimen specimen = make_specimen(scene.specimen, progress);
   const bool from_file = !scene.specimen.file.empty();
-  if (scene.bond_tolerance) {
+  if (scene.setup.central_forces) {
+    // The neighbours at the start; in a small cell there may be several images of one.
+    make_bonds(specimen, scene.setup.central_forces->bond_tolerance, BondImages::several);
+  } else if (scene.bond_tolerance) {
     if (specimen.bond_tolerance != *scene.bond_tolerance)
       make_bonds(specimen, *scene.bond_tolerance);
   } else if (!from_file || specimen.bonds.empty()) {
@@ -44,6 +47,7 @@ void write_mechanics(Hdf5File& file, const Simulation& simulation) {
     inertia.push_back(sphere_inertia(mass[i], radius[i]));
   }
   mechanics.write("mass", mass);
+  if (simulation.beams() == nullptr) return;
   mechanics.write("inertia", inertia);
 
   const BeamProperties& properties = simulation.beams()->properties();
@@ -132,7 +136,7 @@ void write_conduction(Hdf5File& file, const Simulation& simulation) {
 void write_prepared(const std::string& path, const Simulation& simulation) {
   const Model& model = simulation.model();
   Specimen specimen = model.specimen();
-  specimen.bonds = model.slots().pairs();
+  specimen.bonds = simulation.pairs();
   for (const auto& [name, elements] : simulation.selections()) specimen.sets[name] = elements;
   measure_specimen(specimen);
   write_specimen(path, specimen);

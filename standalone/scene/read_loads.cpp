@@ -60,7 +60,10 @@ Rule initial_velocities_section(std::vector<InitialVelocity>& velocities,
   return tables([&velocities, &named](const Section& section) {
     InitialVelocity initial;
     section.read({must_have("region", region(initial.region, named)),
-                  must_have("velocity", vector(initial.velocity, dimension::velocity))});
+                  may_have("velocity", vector(initial.velocity, dimension::velocity)),
+                  may_have("stretching", vector(initial.stretching, dimension::rate))});
+    if (!section.has("velocity") && !section.has("stretching"))
+      section.refuse("nothing says how the elements move", "velocity or stretching, or both");
     velocities.push_back(initial);
   });
 }

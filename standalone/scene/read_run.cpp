@@ -25,9 +25,10 @@ Rule sensors_section(std::vector<Sensor>& sensors, NamedEffects effects) {
          may_have("sampling", choice<Sampling>(sensor.sampling, {{"nearest", Sampling::nearest},
                                                                  {"fit", Sampling::fit}}))});
     const bool is_thermal = sensor.quantity == Quantity::temperature;
-    if (is_thermal ? !effects.conduction : !effects.beams)
-      section.refuse("quantity", is_thermal ? "nothing conducts heat" : "nothing moves",
-                     is_thermal ? "a section [conduction]" : "a section [beams]");
+    if (is_thermal ? !effects.conduction : !effects.motion())
+      section.refuse(
+          "quantity", is_thermal ? "nothing conducts heat" : "nothing moves",
+          is_thermal ? "a section [conduction]" : "a section [beams] or [central_forces]");
     if (!is_thermal && sensor.sampling == Sampling::fit)
       section.refuse("sampling", "of temperatures only", "\"nearest\"");
     sensors.push_back(sensor);

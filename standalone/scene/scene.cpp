@@ -44,15 +44,22 @@ void check_effects(const Section& root, NamedEffects effects) {
     for (const std::string& key : keys)
       if (root.has(key)) root.refuse(key, problem, expected);
   };
-  if (!effects.beams && !effects.conduction)
-    refuse_all({"material", "plasticity", "rupture", "contact", "contacts", "grips", "temperatures",
-                "heat_fluxes", "convections", "heat_sources", "initial_velocities", "sensors",
-                "gauge", "calibration", "run", "output"},
-               "the scene has no effect", "a section [beams] or [conduction]");
+  if (!effects.motion() && !effects.conduction)
+    refuse_all({"material", "plasticity", "rupture", "contact", "damage", "contacts", "grips",
+                "temperatures", "heat_fluxes", "convections", "heat_sources", "initial_velocities",
+                "sensors", "gauge", "calibration", "run", "output"},
+               "the scene has no effect", "a section [beams], [central_forces] or [conduction]");
+  if (effects.beams && effects.central_forces)
+    root.refuse("central_forces", "beams act between the same elements",
+                "either [beams] or [central_forces]");
+  if (!effects.motion())
+    refuse_all({"grips", "initial_velocities", "gauge"}, "nothing moves",
+               "a section [beams] or [central_forces]");
   if (!effects.beams)
-    refuse_all(
-        {"grips", "initial_velocities", "gauge", "plasticity", "rupture", "contact", "calibration"},
-        "nothing moves", "a section [beams]");
+    refuse_all({"plasticity", "rupture", "contact", "calibration"}, "there are no beams",
+               "a section [beams]");
+  if (!effects.central_forces)
+    refuse_all({"damage"}, "there are no central forces", "a section [central_forces]");
   if (root.has("contact") && !root.has("rupture"))
     root.refuse("contact", "no bond ever breaks", "a section [rupture] beside it");
   if (!effects.conduction)
@@ -67,8 +74,8 @@ Scene read_scene(const std::string& path) {
   const toml::table file = parse(content, path);
   if (file.empty())
     throw InputError(path +
-                     ": empty; expected a scene: [specimen], [material], [beams] or "
-                     "[conduction], [run]");
+                     ": empty; expected a scene: [specimen], [material], [beams], "
+                     "[central_forces] or [conduction], [run]");
   const auto record = std::make_shared<Record>();
   const Section root(Value(file, path, "", record));
 
@@ -76,10 +83,10 @@ Scene read_scene(const std::string& path) {
   scene.path = path;
   scene.title = std::filesystem::path(path).stem().string();
   Setup& setup = scene.setup;
-  const NamedEffects effects{root.has("conduction"), root.has("beams")};
+  const NamedEffects effects{root.has("conduction"), root.has("beams"), root.has("central_forces")};
   NamedRegions named;
   const auto with_effects = [&effects](const std::string& key, const Rule& rule) {
-    return effects.beams || effects.conduction ? must_have(key, rule) : may_have(key, rule);
+    return effects.motion() || effects.conduction ? must_have(key, rule) : may_have(key, rule);
   };
   const Rule specimen = specimen_section(scene.specimen, path);
   root.read({
@@ -98,6 +105,9 @@ Scene read_scene(const std::string& path) {
       may_have("plasticity", plasticity_section(setup.plasticity, setup.beams)),
       may_have("rupture", rupture_section(setup.rupture, setup.beams)),
       may_have("contact", contact_section(setup.contact)),
+      may_have("central_forces",
+               central_forces_section(setup.central_forces, scene.bond_tolerance)),
+      may_have("damage", damage_section(setup.damage)),
       may_have("calibration",
                calibration_section(scene.calibration, scene.orthotropic_calibration, setup.beams)),
       may_have("grips", grips_section(setup.grips, named)),

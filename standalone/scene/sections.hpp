@@ -21,6 +21,8 @@ namespace solidem {
 struct NamedEffects {
   bool conduction = false;
   bool beams = false;
+  bool central_forces = false;
+  bool motion() const { return beams || central_forces; }
 };
 
 // read_specimen.cpp
@@ -41,6 +43,11 @@ Rule plasticity_section(std::optional<PlasticityParameters>& plasticity,
 Rule rupture_section(std::optional<RuptureParameters>& rupture,
                      const std::optional<BeamParameters>& beams);
 Rule contact_section(std::optional<ContactParameters>& contact);
+
+// read_central_forces.cpp
+Rule central_forces_section(std::optional<CentralForceParameters>& forces,
+                            const std::optional<double>& bond_tolerance);
+Rule damage_section(std::optional<DamageParameters>& damage);
 
 // read_anisotropy.cpp: parts of [beams]
 Rule anisotropy_section(BeamParameters& beams);

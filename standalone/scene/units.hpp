@@ -23,7 +23,11 @@ namespace dimension {
 inline constexpr Dimension length{"a length", "m", "0.5 mm"};
 inline constexpr Dimension time{"a time", "s", "1 ms"};
 inline constexpr Dimension velocity{"a velocity", "m/s", "3.3 mm/s"};
+inline constexpr Dimension rate{"a rate", "1/s", "100 1/s"};
 inline constexpr Dimension force{"a force", "N", "25 N"};
+inline constexpr Dimension energy{"an energy", "J", "0.24 mJ"};
+inline constexpr Dimension stiffness{"a stiffness", "N/m", "1500 kN/m"};
+inline constexpr Dimension drag{"a drag coefficient", "N s/m", "0.08 N s/m"};
 inline constexpr Dimension modulus{"a modulus", "Pa", "73 GPa"};
 inline constexpr Dimension density{"a density", "kg/m^3", "2790 kg/m^3"};
 inline constexpr Dimension conductivity{"a conductivity", "W/(m K)", "134 W/(m K)"};

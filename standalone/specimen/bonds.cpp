@@ -34,19 +34,19 @@ void insist_on_single_images(const Specimen& specimen, double tolerance) {
 
 }  // namespace
 
-std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance) {
+std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance, BondImages images) {
   if (!(tolerance > -1.0) || !std::isfinite(tolerance))
     throw InputError(fmt::format(
         "bond tolerance {}: expected a number above -1, such as 0 (touching) or 0.05", tolerance));
   if (specimen.size() == 0) return {};
-  insist_on_single_images(specimen, tolerance);
+  if (images == BondImages::one) insist_on_single_images(specimen, tolerance);
   const Domain& domain = specimen.domain;
   return neighbour_pairs({domain.lower, domain.upper, domain.periodic}, specimen.position,
                          specimen.radius, tolerance);
 }
 
-void make_bonds(Specimen& specimen, double tolerance) {
-  specimen.bonds = find_bonds(specimen, tolerance);
+void make_bonds(Specimen& specimen, double tolerance, BondImages images) {
+  specimen.bonds = find_bonds(specimen, tolerance, images);
   specimen.bond_tolerance = tolerance;
 }
 

@@ -9,14 +9,20 @@
 
 namespace solidem {
 
+/// Whether two images of an element may be neighbours of another. A bond is one pair: it joins the
+/// nearest.
+enum class BondImages { one, several };
+
 /// The pairs with d_ij ≤ (1 + tolerance)(R_i + R_j), the nearest image in periodic directions;
 /// sorted, i < j. Touching spheres of a crystal count at tolerance 0: distances are compared with a
 /// relative margin of 1e-12. Throws InputError when the tolerance is not a number above −1, or when
-/// a periodic cell is so small that two images of one element would both be neighbours of another.
-std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance);
+/// a periodic cell is so small that two images of one element would both be neighbours of another
+/// and only one may be.
+std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance,
+                             BondImages images = BondImages::one);
 
 /// Replaces the specimen's bonds by those of a tolerance, and notes the tolerance.
-void make_bonds(Specimen& specimen, double tolerance);
+void make_bonds(Specimen& specimen, double tolerance, BondImages images = BondImages::one);
 
 /// Pairs beyond contact that fibres join.
 struct FibreRule {

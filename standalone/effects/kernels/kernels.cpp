@@ -4,6 +4,7 @@
 #include "effects/kernels/kernels.hpp"
 
 #include "effects/kernels/beam_motion.hpp"
+#include "effects/kernels/central_motion.hpp"
 #include "effects/kernels/heat_flow.hpp"
 
 #define SOLIDEM_TEXT_(x) #x
@@ -12,7 +13,11 @@
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
 extern const Kernels kernels;
-const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET), move_beams_by_kind, conduct,
+const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET),
+                      move_beams_by_kind,
+                      move_by_central_forces,
+                      find_crack_lips,
+                      conduct,
                       conducted_power_by_kind};
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET

@@ -11,6 +11,7 @@
 #include "laws/beam.hpp"
 #include "laws/beam_plasticity.hpp"
 #include "laws/beam_rupture.hpp"
+#include "laws/central_laws.hpp"
 
 namespace solidem {
 
@@ -64,6 +65,41 @@ struct BeamMotion {
   std::vector<std::uint32_t>* breaking;  ///< slots that break in this step are added here
 };
 
+/// Columns of elements in motion under central forces.
+struct CentralMotion {
+  CentralLaw law;
+  const std::uint32_t* first_row;
+  const std::int32_t* neighbour;
+  const double* pose;  ///< x y z, radius
+  double* next_pose;
+  double* velocity;
+  const double* inverse_mass;
+  const double* rest_length;  ///< null: radii touch at the equilibrium
+  const double* image_shift;  ///< null: no periodic direction
+  double range;               ///< α
+  double interpenetration;    ///< a
+  double kick;                ///< s, by which the velocities move on
+  double drift;               ///< s, by which the poses move on
+
+  // Where motion is dissipated.
+  double dissipation;  ///< c, N·s/m
+  const double* carried_velocity;
+  double* next_carried_velocity;
+  double* dissipated_energy;
+
+  // Where cracks are told.
+  double* barycentre;  ///< null: none
+  double lip;          ///< C
+
+  // Where neighbours change.
+  const double* listed_place;  ///< null: they are fixed
+  double listed_margin;        ///< m, that an element may move until neighbours are sought anew
+
+  // Results.
+  double closeness = 0;  ///< the largest δ_eq/δ that was met
+  bool outran = false;   ///< an element has moved farther than the margin
+};
+
 /// Columns of conducting elements.
 struct HeatFlow {
   const std::uint32_t* first_row;
@@ -93,6 +129,11 @@ struct Kernels {
   /// Beam loads on every element, after any plastic flow, then velocity += kick · load / mass,
   /// pose += drift · velocity.
   void (*move_beams)(const BeamMotion&, std::size_t first, std::size_t last);
+  /// Central forces on every element, then velocity += kick · force / mass,
+  /// pose += drift · velocity.
+  void (*move_by_central_forces)(CentralMotion&, std::size_t first, std::size_t last);
+  /// What every element shows of the cracks about it: laws/crack_lip.hpp.
+  void (*find_crack_lips)(const CentralMotion&, std::size_t first, std::size_t last);
   /// Explicit Euler step of the temperatures.
   void (*conduct)(const HeatFlow&, std::size_t first, std::size_t last);
   /// Power conducted into each element.

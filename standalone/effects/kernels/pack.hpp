@@ -66,6 +66,19 @@ inline Pack sqrt(Pack a) {
 #endif
 }
 
+/// 1/√a for a far above 0 and below infinity, to a few units in the last place.
+inline Pack inverse_sqrt(Pack a) {
+#if defined(__AVX512F__)
+  // Newton's steps double the 14 bits that the machine gives, twice.
+  Pack y(Lanes(_mm512_maskz_rsqrt14_pd(every_lane, a.v)));
+  const Pack half = Pack(0.5) * a;
+  y = y * (Pack(1.5) - half * y * y);
+  return y * (Pack(1.5) - half * y * y);
+#else
+  return Pack(1.0) / sqrt(a);
+#endif
+}
+
 /// `width` floats: half the bits, for laws that may do with them.
 typedef float HalfLanes __attribute__((vector_size(width * sizeof(float))));
 
@@ -168,6 +181,15 @@ inline Pack select(Mask condition, Pack a, Pack b) {
 #endif
 }
 
+/// The larger in each lane.
+inline Pack larger(Pack a, Pack b) {
+#if defined(__AVX512F__)
+  return Pack(Lanes(_mm512_maskz_max_pd(every_lane, a.v, b.v)));
+#else
+  return select(greater(a, b), a, b);
+#endif
+}
+
 inline Pack abs(Pack a) {
   return select(greater(Pack(0.0), a), -a, a);
 }
@@ -217,6 +239,54 @@ inline void transpose(Pack (&p)[width]) {
   p[1].v = a1;
 #endif
 }
+
+/// Four components of `width` elements, whose rows stand anywhere, `stride` doubles apart.
+template <int stride>
+struct Quad {
+  Pack component[4];
+
+  static Quad gather(const double* rows, const std::int32_t* index) {
+    const auto row = [&](int k) { return rows + std::ptrdiff_t{stride} * index[k]; };
+    Quad quad;
+#if defined(__AVX512F__)
+    typedef double Half __attribute__((vector_size(4 * sizeof(double))));
+    Lanes a[4];  // rows k and k + 4
+    for (int k = 0; k < 4; ++k)
+      a[k] = __builtin_shufflevector(reinterpret_cast<const Half&>(*row(k)),
+                                     reinterpret_cast<const Half&>(*row(k + 4)), 0, 1, 2, 3, 4, 5,
+                                     6, 7);
+    const Lanes b0 = __builtin_shufflevector(a[0], a[1], 0, 8, 2, 10, 4, 12, 6, 14);
+    const Lanes b1 = __builtin_shufflevector(a[0], a[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    const Lanes b2 = __builtin_shufflevector(a[2], a[3], 0, 8, 2, 10, 4, 12, 6, 14);
+    const Lanes b3 = __builtin_shufflevector(a[2], a[3], 1, 9, 3, 11, 5, 13, 7, 15);
+    quad.component[0].v = __builtin_shufflevector(b0, b2, 0, 1, 8, 9, 4, 5, 12, 13);
+    quad.component[1].v = __builtin_shufflevector(b1, b3, 0, 1, 8, 9, 4, 5, 12, 13);
+    quad.component[2].v = __builtin_shufflevector(b0, b2, 2, 3, 10, 11, 6, 7, 14, 15);
+    quad.component[3].v = __builtin_shufflevector(b1, b3, 2, 3, 10, 11, 6, 7, 14, 15);
+#else
+    for (int part = 0; part < 4; part += width) {
+      Pack square[width];
+      for (int k = 0; k < width; ++k) square[k] = Pack::load(row(k) + part);
+      transpose(square);
+      for (int k = 0; k < width; ++k) quad.component[part + k] = square[k];
+    }
+#endif
+    return quad;
+  }
+
+  /// The same for rows that follow one another.
+  static Quad load(const double* rows) {
+    std::int32_t index[width];
+    for (int k = 0; k < width; ++k) index[k] = k;
+    return gather(rows, index);
+  }
+
+  void store(double* rows) const {
+    for (int k = 0; k < 4; ++k)
+      for (int lane = 0; lane < width; ++lane)
+        rows[std::ptrdiff_t{stride} * lane + k] = component[k].v[lane];
+  }
+};
 
 /// Eight components of `width` elements, whose rows of eight doubles stand anywhere.
 struct Row {

@@ -1,0 +1,449 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "effects/central_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <variant>
+
+#include "laws/central_interaction.hpp"
+#include "laws/crack_lip.hpp"
+#include "model/error.hpp"
+
+namespace solidem {
+
+namespace {
+
+constexpr std::size_t least_blocks = 600;  // below, a second thread costs more than it saves
+
+Vector row_vector(const double* row) {
+  return {row[0], row[1], row[2]};
+}
+
+Vector lanes_vector(const double* column, std::size_t at) {
+  return {column[at], column[at + lanes], column[at + std::size_t{2} * lanes]};
+}
+
+void set_lanes_vector(double* column, std::size_t at, const Vector& v) {
+  column[at] = v.x;
+  column[at + lanes] = v.y;
+  column[at + std::size_t{2} * lanes] = v.z;
+}
+
+bool are_remembered(const CentralForceParameters& parameters) {
+  return parameters.equilibrium == CentralForceParameters::Equilibrium::initial;
+}
+
+bool change(const CentralForceParameters& parameters) {
+  return parameters.neighbours == CentralForceParameters::Neighbours::changing;
+}
+
+}  // namespace
+
+std::vector<const Column*> CentralForces::columns(const CentralForceParameters& parameters,
+                                                  bool cracks, bool periodic) {
+  std::vector<const Column*> asked = {&columns::pose, &columns::velocity, &columns::inverse_mass};
+  if (are_remembered(parameters)) asked.push_back(&columns::rest_length);
+  if (change(parameters)) asked.push_back(&columns::listed_place);
+  if (parameters.dissipation)
+    asked.insert(asked.end(), {&columns::carried_velocity, &columns::dissipated_energy});
+  if (cracks) asked.push_back(&columns::barycentre);
+  if (periodic) asked.push_back(&columns::image_shift);
+  return asked;
+}
+
+CentralForces::CentralForces(const CentralForceParameters& parameters,
+                             const std::vector<double>& mass, Model& model)
+    : parameters_(parameters), model_(model) {
+  const Specimen& specimen = model.specimen();
+  skin_ = change(parameters_) ? parameters_.skin * mean_radius(specimen) : 0;
+  double* poses[] = {model.data(columns::pose), model.next(columns::pose)};
+  double* inverse_mass = model.data(columns::inverse_mass);
+  for (std::size_t i = 0; i < specimen.size(); ++i) {
+    const Vector& p = specimen.position[i];
+    for (double* pose : poses) {
+      pose[8 * i] = p.x;
+      pose[8 * i + 1] = p.y;
+      pose[8 * i + 2] = p.z;
+      pose[8 * i + 3] = specimen.radius[i];
+      pose[8 * i + 4] = 1;
+    }
+    inverse_mass[i] = 1 / mass[i];
+  }
+
+  // A margin for crystals, as bonds have it.
+  const double reach = (1 + parameters_.bond_tolerance) * (1 + 1e-12);
+  initial_ = find_neighbours(specimen.domain, specimen.position, specimen.radius, reach, 0);
+  smallest_stiffness_ = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < specimen.size(); ++i)
+    for (std::size_t k = initial_.first[i]; k < initial_.first[i + 1]; ++k) {
+      const auto j = static_cast<std::size_t>(initial_.neighbour[k]);
+      // Both sides take the chord from the lower to the higher element.
+      const std::size_t a = std::min(i, j), b = std::max(i, j);
+      Vector chord = specimen.position[b] - specimen.position[a];
+      if (!initial_.image.empty()) {
+        const Vector shift = image_shift(specimen.domain, initial_.image[k]);
+        chord += i < j ? shift : -shift;
+      }
+      const double distance = norm(chord), radii = specimen.radius[i] + specimen.radius[j];
+      if (!(distance > 1e-9 * radii))
+        throw InputError("elements " + std::to_string(a) + " and " + std::to_string(b) +
+                         " stand at one place, so that no force between them has a direction; "
+                         "expected a specimen whose elements stand apart");
+      const double equilibrium = are_remembered(parameters_) ? distance : radii;
+      initial_distance_.push_back(equilibrium);
+      std::visit(
+          [&](const auto& law) {
+            const double at_rest = bare_force(law, equilibrium, equilibrium).stiffness;
+            const double deepest =
+                bare_force(law, (1 - parameters_.interpenetration) * equilibrium, equilibrium)
+                    .stiffness;
+            stiffening_ = std::max(stiffening_, deepest / at_rest);
+            smallest_stiffness_ = std::min(smallest_stiffness_, at_rest);
+            depth_ = std::max(
+                depth_, -central_potential(law, parameters_.interpenetration,
+                                           parameters_.range * radii, equilibrium, equilibrium));
+          },
+          parameters_.law);
+    }
+  if (model.has(columns::listed_place))
+    for (std::size_t i = 0; i < specimen.size(); ++i)
+      set_lanes_vector(model.data(columns::listed_place), Model::at(columns::listed_place, i),
+                       specimen.position[i]);
+  fill_slots();
+}
+
+void CentralForces::fill_slots() {
+  const Specimen& specimen = model_.specimen();
+  Neighbourhood found;
+  if (change(parameters_)) {
+    std::vector<Vector> position(specimen.size());
+    const double* listed = model_.data(columns::listed_place);
+    for (std::size_t i = 0; i < position.size(); ++i)
+      position[i] = lanes_vector(listed, Model::at(columns::listed_place, i));
+    found = find_neighbours(specimen.domain, position, specimen.radius, parameters_.range, skin_,
+                            absent_);
+  }
+  const Neighbourhood& lists = change(parameters_) ? found : initial_;
+  model_.replace_slots(Slots(lists.first, lists.neighbour, initial_.neighbour.size() / 2));
+  ++searches_;
+  double* rest_length =
+      model_.has(columns::rest_length) ? model_.data(columns::rest_length) : nullptr;
+  double* shift = model_.has(columns::image_shift) ? model_.data(columns::image_shift) : nullptr;
+  const std::uint32_t* first_row = model_.slots().first_row();
+  if (rest_length != nullptr)
+    std::fill(rest_length, rest_length + model_.size(columns::rest_length), 1.0);
+  const auto count = static_cast<std::ptrdiff_t>(specimen.size());
+#pragma omp parallel for schedule(static) if (count > 5000)
+  for (std::ptrdiff_t element = 0; element < count; ++element) {
+    const auto i = static_cast<std::size_t>(element);
+    const int lane = static_cast<int>(i % lanes);
+    std::size_t known = initial_.first[i];
+    for (std::size_t k = lists.first[i]; k < lists.first[i + 1]; ++k) {
+      const std::size_t row = first_row[i / lanes] + (k - lists.first[i]);
+      const std::int32_t j = lists.neighbour[k];
+      const Image image = lists.image.empty() ? Image{} : lists.image[k];
+      if (shift != nullptr)
+        set_lanes_vector(shift, Model::at_slot(columns::image_shift, row, lane),
+                         image_shift(specimen.domain, image));
+      if (rest_length == nullptr) continue;
+      // Both lists go in the same order.
+      const auto is_before = [&](std::size_t entry) {
+        const std::int32_t other = initial_.neighbour[entry];
+        return other != j ? other < j : !initial_.image.empty() && initial_.image[entry] < image;
+      };
+      while (known < initial_.first[i + 1] && is_before(known)) ++known;
+      const bool is_known = known < initial_.first[i + 1] && initial_.neighbour[known] == j &&
+                            (initial_.image.empty() || initial_.image[known] == image);
+      rest_length[Model::at_slot(columns::rest_length, row, lane)] =
+          is_known ? initial_distance_[known]
+                   : specimen.radius[i] + specimen.radius[static_cast<std::size_t>(j)];
+    }
+  }
+}
+
+void CentralForces::search() {
+  const double* pose = model_.data(columns::pose);
+  double* listed = model_.data(columns::listed_place);
+  for (std::size_t i = 0; i < model_.elements(); ++i) {
+    const Vector place = row_vector(pose + 8 * i);
+    if (!std::isfinite(place.x + place.y + place.z))
+      throw RunError("the run diverged: element " + std::to_string(i) +
+                     " stands at no finite place any more");
+    set_lanes_vector(listed, Model::at(columns::listed_place, i), place);
+  }
+  fill_slots();
+}
+
+void CentralForces::keep_neighbours() {
+  if (!change(parameters_)) return;
+  bool moved = outran_;
+  const double* pose = model_.data(columns::pose);
+  const double* listed = model_.data(columns::listed_place);
+  for (std::size_t k = 0; k < driven_.size() && !moved; ++k) {
+    const auto i = static_cast<std::size_t>(driven_[k]);
+    const Vector away =
+        row_vector(pose + 8 * i) - lanes_vector(listed, Model::at(columns::listed_place, i));
+    moved = !(dot(away, away) <= 0.25 * skin_ * skin_);
+  }
+  if (moved) search();
+  outran_ = false;
+}
+
+void CentralForces::expect_driven(const std::vector<std::int32_t>& elements) {
+  driven_.insert(driven_.end(), elements.begin(), elements.end());
+}
+
+CentralMotion CentralForces::motion(Model& model) const {
+  const auto where = [&](const Column& column) {
+    return model.has(column) ? model.data(column) : nullptr;
+  };
+  CentralMotion motion{};
+  motion.law = parameters_.law;
+  motion.first_row = model.slots().first_row();
+  motion.neighbour = model.slots().neighbours();
+  motion.pose = model.data(columns::pose);
+  motion.next_pose = model.next(columns::pose);
+  motion.velocity = model.data(columns::velocity);
+  motion.inverse_mass = model.data(columns::inverse_mass);
+  motion.rest_length = where(columns::rest_length);
+  motion.image_shift = where(columns::image_shift);
+  motion.range = parameters_.range;
+  motion.interpenetration = parameters_.interpenetration;
+  if (parameters_.dissipation) {
+    motion.dissipation = *parameters_.dissipation;
+    motion.carried_velocity = model.data(columns::carried_velocity);
+    motion.next_carried_velocity = model.next(columns::carried_velocity);
+    motion.dissipated_energy = model.data(columns::dissipated_energy);
+  }
+  motion.barycentre = where(columns::barycentre);
+  motion.listed_place = where(columns::listed_place);
+  motion.listed_margin = 0.5 * skin_;
+  return motion;
+}
+
+void CentralForces::advance(Model& model, const Step& step) {
+  keep_neighbours();
+  CentralMotion common = motion(model);
+  common.kick = step.kick;
+  common.drift = step.time_step;
+  common.closeness = closeness_;
+  const auto move = kernels().move_by_central_forces;
+  for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
+    CentralMotion mine = common;
+    move(mine, first, last);
+#pragma omp critical(solidem_central_forces)
+    {
+      closeness_ = std::max(closeness_, mine.closeness);
+      outran_ = outran_ || mine.outran;
+    }
+  });
+}
+
+void CentralForces::accelerate(Model& model) const {
+  CentralMotion still = motion(model);
+  still.kick = 1;
+  still.carried_velocity = nullptr;
+  still.barycentre = nullptr;
+  still.listed_place = nullptr;
+  for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
+    CentralMotion mine = still;
+    kernels().move_by_central_forces(mine, first, last);
+  });
+}
+
+void CentralForces::find_crack_lips(double lip) {
+  CentralMotion common = motion(model_);
+  common.lip = lip;
+  for_blocks(model_.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
+    kernels().find_crack_lips(common, first, last);
+  });
+}
+
+std::vector<int> CentralForces::neighbours_within_range() const {
+  std::vector<int> count(model_.elements(), 0);
+  model_.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+    if (acting(model_, i, j, row, lane)) ++count[static_cast<std::size_t>(i)];
+  });
+  return count;
+}
+
+void CentralForces::exclude(std::int32_t element) {
+  if (absent_.empty()) absent_.assign(model_.elements(), 0);
+  absent_[static_cast<std::size_t>(element)] = 1;
+  Slots& slots = model_.slots();
+  const auto block = static_cast<std::size_t>(element / lanes);
+  for (std::size_t row = slots.first_row()[block]; row < slots.first_row()[block + 1]; ++row) {
+    const Slots::Place here{row, element % lanes};
+    const std::int32_t other = slots.neighbour_of(here);
+    if (other == element) continue;
+    while (const auto there = slots.find(other, element)) {
+      // An empty slot must not reach an image of its own element.
+      slots.set_neighbour(*there, other);
+      if (model_.has(columns::image_shift))
+        set_lanes_vector(model_.data(columns::image_shift),
+                         Model::at_slot(columns::image_shift, there->row, there->lane), {});
+    }
+    slots.set_neighbour(here, element);
+    if (model_.has(columns::image_shift))
+      set_lanes_vector(model_.data(columns::image_shift),
+                       Model::at_slot(columns::image_shift, here.row, here.lane), {});
+  }
+}
+
+std::vector<Pair> CentralForces::initial_pairs() const {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < model_.elements(); ++i)
+    for (std::size_t k = initial_.first[i]; k < initial_.first[i + 1]; ++k)
+      if (const Pair pair{static_cast<std::int32_t>(i), initial_.neighbour[k]};
+          pair.i < pair.j && (pairs.empty() || !(pairs.back() == pair)))
+        pairs.push_back(pair);
+  return pairs;
+}
+
+double CentralForces::largest_interpenetration() const {
+  return closeness_ > 0 ? 1 - 1 / closeness_ : -std::numeric_limits<double>::infinity();
+}
+
+std::vector<TimeStepCriterion> CentralForces::time_step_criteria(const Model& model) const {
+  const double* inverse_mass = model.data(columns::inverse_mass);
+  double squared_frequency = 0;
+  for (std::size_t i = 0; i < model.elements(); ++i)
+    for (std::size_t k = initial_.first[i]; k < initial_.first[i + 1]; ++k)
+      std::visit(
+          [&](const auto& law) {
+            const double equilibrium = initial_distance_[k];
+            const double nearest = (1 - parameters_.interpenetration) * equilibrium;
+            const double stiffness = std::max(bare_force(law, equilibrium, equilibrium).stiffness,
+                                              bare_force(law, nearest, equilibrium).stiffness);
+            squared_frequency = std::max(squared_frequency, stiffness * inverse_mass[i]);
+          },
+          parameters_.law);
+  return {
+      {"stiffness of the pairs at the deepest overlap allowed", 1 / std::sqrt(squared_frequency)}};
+}
+
+double CentralForces::longest_time_step(double squared_frequency) const {
+  const double squared = squared_frequency * stiffening_;
+  if (!parameters_.dissipation) return 2 / std::sqrt(squared);
+  // Drag sees velocities half a step late: dt² ω² + 2 dt (c/K) ω² = 4 is the limit.
+  const double drag = *parameters_.dissipation / smallest_stiffness_ * squared_frequency;
+  return (std::sqrt(drag * drag + 4 * squared) - drag) / squared;
+}
+
+double CentralForces::releasable_energy(const Model& model) const {
+  return 1.5 * depth_ * static_cast<double>(model.slots().rows() * lanes) / 2;
+}
+
+std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, std::int32_t i,
+                                                           std::int32_t j, std::size_t row,
+                                                           int lane) const {
+  const double* pose = model.data(columns::pose);
+  const double* row_i = pose + std::ptrdiff_t{8} * i;
+  const double* row_j = pose + std::ptrdiff_t{8} * j;
+  Acting pair{};
+  pair.chord = row_vector(row_j) - row_vector(row_i);
+  if (model.has(columns::image_shift))
+    pair.chord += lanes_vector(model.data(columns::image_shift),
+                               Model::at_slot(columns::image_shift, row, lane));
+  pair.distance = norm(pair.chord);
+  const double radii = row_i[3] + row_j[3], range = parameters_.range * radii;
+  if (!(pair.distance < range) || !(pair.distance > 0)) return std::nullopt;
+  pair.equilibrium =
+      model.has(columns::rest_length)
+          ? model.data(columns::rest_length)[Model::at_slot(columns::rest_length, row, lane)]
+          : radii;
+  std::visit(
+      [&](const auto& law) {
+        pair.push =
+            central_force(law, parameters_.interpenetration, pair.distance, pair.equilibrium).force;
+        pair.potential = central_potential(law, parameters_.interpenetration, range, pair.distance,
+                                           pair.equilibrium);
+        if (!model.has(columns::barycentre)) return;
+        const double* barycentre = model.data(columns::barycentre);
+        if (pair.push >= 0 ||
+            !on_opposite_lips(row_vector(barycentre + std::ptrdiff_t{4} * i),
+                              row_vector(barycentre + std::ptrdiff_t{4} * j), pair.chord))
+          return;
+        pair.push = 0;
+      },
+      parameters_.law);
+  if (parameters_.dissipation) {
+    const double* velocity = model.data(columns::carried_velocity);
+    pair.push += dissipative_force(*parameters_.dissipation, pair.chord, 1 / pair.distance,
+                                   row_vector(velocity + std::ptrdiff_t{4} * i) -
+                                       row_vector(velocity + std::ptrdiff_t{4} * j));
+  }
+  return pair;
+}
+
+void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) const {
+  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+    if (i > j) return;
+    if (const auto pair = acting(model, i, j, row, lane))
+      visit(i, j, (-pair->push / pair->distance) * pair->chord);
+  });
+}
+
+void CentralForces::observe(const Model& model, Observation& observation) const {
+  const std::size_t count = model.slots().padded_elements(), blocks = model.slots().blocks();
+  ObservedMotion& motion = observation.motion;
+  motion.force.assign(count, {});
+  std::vector<double> energy(blocks, 0.0), pairs(blocks, 0.0);
+  for_blocks(blocks, 40, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block)
+      model.slots().for_each_in(block, [&](std::int32_t i, std::int32_t j, std::size_t row,
+                                           int lane) {
+        const auto pair = acting(model, i, j, row, lane);
+        if (!pair) return;
+        motion.force[static_cast<std::size_t>(i)] += (-pair->push / pair->distance) * pair->chord;
+        energy[block] += 0.5 * pair->potential;
+        pairs[block] += 0.5;
+      });
+  });
+  double interactions = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    motion.elastic_energy += energy[block];
+    interactions += pairs[block];
+  }
+  if (parameters_.dissipation) {
+    const double* dissipated = model.data(columns::dissipated_energy);
+    for (std::size_t i = 0; i < model.elements(); ++i) motion.dissipated_energy += dissipated[i];
+  }
+  const double* velocity = model.data(columns::velocity);
+  const double* inverse_mass = model.data(columns::inverse_mass);
+  const std::size_t elements = model.elements();
+  motion.force.resize(elements);
+  motion.velocity.resize(elements);
+  motion.kinetic_energy = 0;
+  for (std::size_t i = 0; i < elements; ++i) {
+    if (!(inverse_mass[i] > 0)) continue;  // removed
+    Vector& v = motion.velocity[i];
+    v = lanes_vector(velocity, Model::at(columns::velocity, i)) +
+        (observation.behind * inverse_mass[i]) * motion.force[i];
+    motion.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
+  }
+  observation.add("interactions", interactions);
+  observation.add("largest_interpenetration", closeness_ > 0 ? largest_interpenetration() : 0.0);
+}
+
+std::vector<double> CentralForces::save() const {
+  std::vector<double> saved{closeness_, outran_ ? 1.0 : 0.0, static_cast<double>(searches_)};
+  for (std::size_t i = 0; i < absent_.size(); ++i)
+    if (absent_[i] != 0) saved.push_back(static_cast<double>(i));
+  return saved;
+}
+
+void CentralForces::restore(const std::vector<double>& saved) {
+  closeness_ = saved.at(0);
+  outran_ = saved.at(1) != 0;
+  // Neighbours as they were listed then: in the columns of places, which are restored by now.
+  absent_.clear();
+  if (saved.size() > 3) absent_.assign(model_.elements(), 0);
+  fill_slots();
+  for (std::size_t k = 3; k < saved.size(); ++k) exclude(static_cast<std::int32_t>(saved[k]));
+  searches_ = static_cast<std::size_t>(saved.at(2));
+}
+
+}  // namespace solidem

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_EFFECTS_CENTRAL_FORCES_HPP
+#define SOLIDEM_EFFECTS_CENTRAL_FORCES_HPP
+
+#include <optional>
+#include <vector>
+
+#include "effects/kernels/kernels.hpp"
+#include "effects/mechanics.hpp"
+#include "effects/parameters.hpp"
+#include "neighbours/neighbourhood.hpp"
+
+namespace solidem {
+
+/// Elements in motion under central forces: a law of laws/central_laws.hpp within the range of
+/// laws/central_interaction.hpp; velocity Verlet. Elements have no orientation.
+///
+/// Pairs that were neighbours at the start keep the distance they had then as that of equilibrium,
+/// also when they part and meet again; all others have the sum of their radii. Neighbours are
+/// sought anew when an element has moved half the skin since the last time. As neighbours stand in
+/// the order of their numbers and those beyond the range add nothing, results do not depend on when
+/// that is.
+class CentralForces : public Mechanics {
+ public:
+  /// Columns that the effect needs; `cracks`: its elements may stand on lips.
+  static std::vector<const Column*> columns(const CentralForceParameters& parameters, bool cracks,
+                                            bool periodic);
+
+  /// Elements are at rest at the specimen's positions. `mass` per element, kg. `cracks` as above.
+  /// Throws InputError when two elements stand at one place.
+  CentralForces(const CentralForceParameters& parameters, const std::vector<double>& mass,
+                Model& model);
+
+  void advance(Model& model, const Step& step) override;
+  void observe(const Model& model, Observation& observation) const override;
+  std::vector<double> save() const override;
+  void restore(const std::vector<double>& saved) override;
+
+  std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override;
+  double longest_time_step(double squared_frequency) const override;
+  void accelerate(Model& model) const override;
+  double typical_energy(const Model& /*model*/) const override { return depth_; }
+  double releasable_energy(const Model& model) const override;
+  void for_each_pair(const Model& model, const PairVisit& visit) const override;
+  void expect_driven(const std::vector<std::int32_t>& elements) override;
+
+  /// Finds neighbours anew if elements have moved far enough.
+  void keep_neighbours();
+
+  /// Tells for every element whether it stands on a lip. `lip`: C.
+  void find_crack_lips(double lip);
+
+  /// Number of elements within range of each, at the present poses.
+  std::vector<int> neighbours_within_range() const;
+
+  /// Takes an element out: it has no neighbours any more.
+  void exclude(std::int32_t element);
+
+  /// The pairs that were neighbours at the start.
+  std::vector<Pair> initial_pairs() const;
+
+  /// Deepest overlap that was met, as a share of the equilibrium distance; below 0: none.
+  double largest_interpenetration() const;
+  double allowed_interpenetration() const { return parameters_.interpenetration; }
+  /// Whether pairs came nearer than the law is followed, and it is stiffer there.
+  bool has_exceeded() const {
+    return stiffening_ > 1 && largest_interpenetration() > parameters_.interpenetration;
+  }
+  /// How often neighbours were sought.
+  std::size_t searches() const { return searches_; }
+
+ private:
+  /// A pair within range.
+  struct Acting {
+    Vector chord;
+    double distance, equilibrium;
+    double push;  ///< along the chord, away from i, N; with dissipation
+    double potential;
+  };
+  /// The pair in a slot; none beyond the range.
+  std::optional<Acting> acting(const Model& model, std::int32_t i, std::int32_t j, std::size_t row,
+                               int lane) const;
+  /// Lays out the slots for the elements as they were listed.
+  void fill_slots();
+  void search();
+  CentralMotion motion(Model& model) const;
+
+  CentralForceParameters parameters_;
+  Model& model_;
+  Neighbourhood initial_;                 ///< at the start, where distances are remembered
+  std::vector<double> initial_distance_;  ///< of its entries, m
+  std::vector<char> absent_;              ///< elements taken out; empty: none
+  std::vector<std::int32_t> driven_;      ///< elements that others move
+  double skin_ = 0;                       ///< m
+  double depth_ = 0;                      ///< of the deepest well at the start, J
+  double stiffening_ = 1;                 ///< largest stiffness over the one at the equilibrium
+  double smallest_stiffness_ = 0;         ///< at the equilibrium, N/m
+  double closeness_ = 0;                  ///< the largest δ_eq/δ met
+  bool outran_ = false;
+  std::size_t searches_ = 0;
+};
+
+}  // namespace solidem
+
+#endif

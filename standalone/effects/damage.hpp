@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_EFFECTS_DAMAGE_HPP
+#define SOLIDEM_EFFECTS_DAMAGE_HPP
+
+#include <vector>
+
+#include "effects/central_forces.hpp"
+
+namespace solidem {
+
+/// Micro-cracks among elements under central forces: laws/crack_lip.hpp. Acts before the forces, on
+/// the places that the step begins with; and takes out elements that have lost their hold.
+///
+/// An element that is removed stays where it is, at rest. The energy that cracks take is what the
+/// balance of energy lacks.
+class Damage : public Effect {
+ public:
+  Damage(const DamageParameters& parameters, CentralForces& forces, Model& model);
+
+  void advance(Model& model, const Step& step) override;
+  /// Numbers of lips and of removed elements.
+  void observe(const Model& model, Observation& observation) const override;
+  std::vector<double> save() const override;
+  void restore(const std::vector<double>& saved) override;
+
+  bool tells_lips() const { return parameters_.lip.has_value(); }
+  bool removes() const { return parameters_.minimal_neighbours > 0; }
+  bool is_removed(std::int32_t element) const;
+  std::size_t removed() const { return removed_.size(); }
+
+ private:
+  void remove_lonely();
+
+  DamageParameters parameters_;
+  CentralForces& forces_;
+  Model& model_;
+  std::vector<int> had_;               ///< neighbours of each element at the start
+  std::vector<std::int32_t> removed_;  ///< sorted
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Vectors of packs, and their columns of lanes.
+#ifndef SOLIDEM_EFFECTS_KERNELS_PACK_VECTOR_HPP
+#define SOLIDEM_EFFECTS_KERNELS_PACK_VECTOR_HPP
+
+#include "effects/kernels/pack.hpp"
+#include "model/slots.hpp"
+
+namespace solidem::SOLIDEM_INSTRUCTION_SET {
+
+using PackVector = Vector3<Pack>;
+
+inline PackVector load_vector(const double* lanes_of_x) {
+  return {Pack::load(lanes_of_x), Pack::load(lanes_of_x + lanes),
+          Pack::load(lanes_of_x + std::ptrdiff_t{2} * lanes)};
+}
+
+inline void store_vector(const PackVector& vector, double* lanes_of_x) {
+  vector.x.store(lanes_of_x);
+  vector.y.store(lanes_of_x + lanes);
+  vector.z.store(lanes_of_x + std::ptrdiff_t{2} * lanes);
+}
+
+inline PackVector select(Mask condition, const PackVector& a, const PackVector& b) {
+  return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
+}
+
+}  // namespace solidem::SOLIDEM_INSTRUCTION_SET
+
+#endif

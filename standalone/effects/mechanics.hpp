@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_EFFECTS_MECHANICS_HPP
+#define SOLIDEM_EFFECTS_MECHANICS_HPP
+
+#include <functional>
+#include <vector>
+
+#include "effects/effect.hpp"
+
+namespace solidem {
+
+/// Forces between elements, and the motion under them: beams, or central forces. A scene has one of
+/// them.
+class Mechanics : public Effect {
+ public:
+  /// Bounds on the time step from stiffness and inertia.
+  virtual std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const = 0;
+
+  /// The longest stable time step, s, of a body whose largest squared frequency at rest is this,
+  /// 1/s².
+  virtual double longest_time_step(double squared_frequency) const = 0;
+
+  /// The accelerations at the present poses, in the columns of the velocities, which must be zero;
+  /// without dissipation, and nothing moves, flows or breaks.
+  virtual void accelerate(Model& model) const = 0;
+
+  /// A small energy to measure round-off by: that of one pair, J.
+  virtual double typical_energy(const Model& model) const = 0;
+
+  /// The most that the forces could give to motion besides what was put in, J.
+  virtual double releasable_energy(const Model& /*model*/) const { return 0; }
+
+  /// Calls visit(i, j, force on i) once for each pair that acts.
+  using PairVisit = std::function<void(std::int32_t, std::int32_t, const Vector&)>;
+  virtual void for_each_pair(const Model& model, const PairVisit& visit) const = 0;
+
+  /// Told which elements others will move: what a grip imposes on.
+  virtual void expect_driven(const std::vector<std::int32_t>& /*elements*/) {}
+};
+
+}  // namespace solidem
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "neighbours/neighbourhood.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "neighbours/linked_cells.hpp"
+
+namespace solidem {
+
+namespace {
+
+/// The box of the cells: the periods, and elsewhere where the elements stand. A few that have flown
+/// far away count to the outermost cells, so that cells stay small where most are.
+CellBox box_around(const Domain& domain, const std::vector<Vector>& position, double reach) {
+  CellBox box{domain.lower, domain.upper, domain.periodic};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain.periodic[static_cast<std::size_t>(axis)]) continue;
+    const auto before = [axis](const Vector& a, const Vector& b) {
+      return component(a, axis) < component(b, axis);
+    };
+    const auto [low, high] = std::minmax_element(position.begin(), position.end(), before);
+    component(box.lower, axis) = component(*low, axis);
+    component(box.upper, axis) = component(*high, axis);
+  }
+  double cells = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    cells *= std::max(1.0, component(box.upper - box.lower, axis) / reach);
+  if (cells < 4.0 * static_cast<double>(position.size())) return box;
+  std::vector<double> place(position.size());
+  const auto cut = static_cast<std::ptrdiff_t>(position.size() / 200);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain.periodic[static_cast<std::size_t>(axis)]) continue;
+    for (std::size_t i = 0; i < place.size(); ++i) place[i] = component(position[i], axis);
+    std::nth_element(place.begin(), place.begin() + cut, place.end());
+    component(box.lower, axis) = place[static_cast<std::size_t>(cut)];
+    std::nth_element(place.begin(), place.end() - 1 - cut, place.end());
+    component(box.upper, axis) = *(place.end() - 1 - cut);
+  }
+  return box;
+}
+
+struct Found {
+  std::int32_t neighbour;
+  Image image;
+  friend bool operator<(const Found& a, const Found& b) {
+    return a.neighbour != b.neighbour ? a.neighbour < b.neighbour : a.image < b.image;
+  }
+};
+
+/// The neighbours of some elements, one after the other.
+struct Run {
+  std::vector<std::pair<std::int32_t, std::uint32_t>> elements;  ///< with the number of theirs
+  std::vector<Found> found;
+};
+
+/// All elements, and images of elements, that may be neighbours of those in one cell.
+struct Candidates {
+  std::vector<LinkedCells::Range> ranges;
+  std::vector<double> x, y, z, reach;  ///< reach: factor R_j + margin
+  std::vector<std::int32_t> element;
+  std::vector<std::array<int, 3>> image;  ///< where something is periodic
+  std::vector<std::uint32_t> near;        ///< room for the numbers of those that are
+
+  void gather(const LinkedCells& cells, std::size_t cell, const std::vector<double>& radius,
+              double factor, double margin, bool periodic) {
+    cells.find_ranges_around(cell, ranges);
+    std::size_t count = 0;
+    for (const LinkedCells::Range& range : ranges) count += range.last - range.first;
+    if (count > x.size())
+      for (auto* column : {&x, &y, &z, &reach}) column->resize(count);
+    element.resize(count);
+    near.resize(count);
+    if (periodic) image.resize(count);
+    std::size_t to = 0;
+    for (const LinkedCells::Range& range : ranges) {
+      const Vector& extent = cells.extent();
+      const Vector shift{range.periods[0] * extent.x, range.periods[1] * extent.y,
+                         range.periods[2] * extent.z};
+      for (std::size_t k = range.first; k < range.last; ++k, ++to) {
+        const LinkedCells::Resident& resident = cells.resident(k);
+        x[to] = resident.position.x + shift.x;
+        y[to] = resident.position.y + shift.y;
+        z[to] = resident.position.z + shift.z;
+        reach[to] = factor * radius[static_cast<std::size_t>(resident.element)] + margin;
+        element[to] = resident.element;
+        if (periodic) image[to] = range.periods;
+      }
+    }
+  }
+
+  /// How many stand within reach of a place, their numbers in `near`; without a branch, as a
+  /// branch would be mistaken for one in ten.
+  std::size_t pick(const Vector& place, double own_reach) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < element.size(); ++k) {
+      const double dx = x[k] - place.x, dy = y[k] - place.y, dz = z[k] - place.z;
+      const double limit = own_reach + reach[k];
+      near[count] = static_cast<std::uint32_t>(k);
+      count += dx * dx + dy * dy + dz * dz <= limit * limit ? 1 : 0;
+    }
+    return count;
+  }
+};
+
+/// Periods by which an element stands away from its image in the box.
+std::array<int, 3> periods_away(const Domain& domain, const Vector& position) {
+  std::array<int, 3> periods{};
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.periodic[static_cast<std::size_t>(axis)])
+      periods[static_cast<std::size_t>(axis)] =
+          static_cast<int>(std::floor((component(position, axis) - component(domain.lower, axis)) /
+                                      component(domain.upper - domain.lower, axis)));
+  return periods;
+}
+
+}  // namespace
+
+Vector image_shift(const Domain& domain, Image image) {
+  Vector shift{};
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.periodic[static_cast<std::size_t>(axis)])
+      component(shift, axis) = image.periods(axis) * component(domain.upper - domain.lower, axis);
+  return shift;
+}
+
+Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& position,
+                              const std::vector<double>& radius, double factor, double margin,
+                              const std::vector<char>& absent) {
+  Neighbourhood result;
+  const std::size_t count = position.size();
+  result.first.assign(count + 1, 0);
+  if (count == 0) return result;
+  const bool periodic = domain.is_periodic();
+  const double largest = *std::max_element(radius.begin(), radius.end());
+  const double reach = 1.004 * (2 * factor * largest + margin);
+  LinkedCells cells(box_around(domain, position, reach), reach, count);
+  cells.sort(position);
+
+  const std::size_t cell_count = cells.cell_count();
+  const auto parts = static_cast<std::ptrdiff_t>(std::min<std::size_t>(cell_count, 64));
+  std::vector<Run> runs(static_cast<std::size_t>(parts));
+#pragma omp parallel for schedule(dynamic) if (count > 5000)
+  for (std::ptrdiff_t part = 0; part < parts; ++part) {
+    Run& run = runs[static_cast<std::size_t>(part)];
+    const std::size_t share = cell_count / static_cast<std::size_t>(parts);
+    const std::size_t rest = cell_count % static_cast<std::size_t>(parts);
+    const auto p = static_cast<std::size_t>(part);
+    const std::size_t begin = share * p + std::min(rest, p);
+    const std::size_t end = begin + share + (p < rest ? 1 : 0);
+    Candidates candidates;
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      if (cells.first_of(cell) == cells.first_of(cell + 1)) continue;
+      candidates.gather(cells, cell, radius, factor, margin, periodic);
+      for (std::size_t r = cells.first_of(cell); r < cells.first_of(cell + 1); ++r) {
+        const LinkedCells::Resident& own = cells.resident(r);
+        const auto i = static_cast<std::size_t>(own.element);
+        if (!absent.empty() && absent[i] != 0) continue;
+        const std::size_t near = candidates.pick(own.position, factor * radius[i]);
+        const std::array<int, 3> away =
+            periodic ? periods_away(domain, position[i]) : std::array<int, 3>{};
+        const std::size_t began = run.found.size();
+        for (std::size_t k = 0; k < near; ++k) {
+          const std::size_t c = candidates.near[k];
+          const auto j = static_cast<std::size_t>(candidates.element[c]);
+          if (j == i || (!absent.empty() && absent[j] != 0)) continue;
+          Image image;
+          if (periodic) {
+            const std::array<int, 3> there = periods_away(domain, position[j]);
+            const std::array<int, 3>& moved = candidates.image[c];
+            image = Image(moved[0] - there[0] + away[0], moved[1] - there[1] + away[1],
+                          moved[2] - there[2] + away[2]);
+          }
+          run.found.push_back({candidates.element[c], image});
+        }
+        if (run.found.size() == began) continue;
+        std::sort(run.found.begin() + static_cast<std::ptrdiff_t>(began), run.found.end());
+        run.elements.emplace_back(own.element,
+                                  static_cast<std::uint32_t>(run.found.size() - began));
+      }
+    }
+  }
+
+  for (const Run& run : runs)
+    for (const auto& [element, number] : run.elements)
+      result.first[static_cast<std::size_t>(element) + 1] = number;
+  for (std::size_t i = 0; i < count; ++i) result.first[i + 1] += result.first[i];
+  result.neighbour.resize(result.first.back());
+  if (periodic) result.image.resize(result.first.back());
+#pragma omp parallel for schedule(dynamic) if (count > 5000)
+  for (std::ptrdiff_t part = 0; part < parts; ++part) {
+    const Run& run = runs[static_cast<std::size_t>(part)];
+    std::size_t from = 0;
+    for (const auto& entry : run.elements) {
+      std::size_t to = result.first[static_cast<std::size_t>(entry.first)];
+      for (std::uint32_t k = 0; k < entry.second; ++k, ++from, ++to) {
+        result.neighbour[to] = run.found[from].neighbour;
+        if (periodic) result.image[to] = run.found[from].image;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace solidem

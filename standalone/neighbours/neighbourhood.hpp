@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Neighbours of every element, seen from both sides, found with linked cells: the lists of Verlet,
+// which hold a little more than the range so that they last for many steps.
+#ifndef SOLIDEM_NEIGHBOURS_NEIGHBOURHOOD_HPP
+#define SOLIDEM_NEIGHBOURS_NEIGHBOURHOOD_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "model/specimen.hpp"
+
+namespace solidem {
+
+/// Which periodic image of a neighbour is meant: whole periods along x, y, z, each from −127 to
+/// 127.
+class Image {
+ public:
+  Image() = default;
+  Image(int x, int y, int z) : code_(((x + 128) << 16) | ((y + 128) << 8) | (z + 128)) {}
+  int periods(int axis) const { return ((code_ >> (8 * (2 - axis))) & 255) - 128; }
+  friend bool operator==(Image a, Image b) { return a.code_ == b.code_; }
+  friend bool operator<(Image a, Image b) { return a.code_ < b.code_; }
+
+ private:
+  std::int32_t code_ = (128 << 16) | (128 << 8) | 128;
+};
+
+/// What is added to the centre of a neighbour to reach its image, m.
+Vector image_shift(const Domain& domain, Image image);
+
+/// Lists of neighbours: those of element i stand from first[i] to first[i + 1], in the order of
+/// their numbers, then of their images.
+struct Neighbourhood {
+  std::vector<std::uint32_t> first;
+  std::vector<std::int32_t> neighbour;
+  std::vector<Image> image;  ///< empty where nothing is periodic
+};
+
+/// All j, and images of them, with |x_j + shift − x_i| ≤ factor (R_i + R_j) + margin, j ≠ i; the
+/// same on any number of threads. Several images of a neighbour count where a period is short; an
+/// element is no neighbour of its own images, whose forces on it cancel. Elements marked as absent
+/// neither have nor are neighbours. `absent` is empty or has one entry per element.
+Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& position,
+                              const std::vector<double>& radius, double factor, double margin,
+                              const std::vector<char>& absent = {});
+
+}  // namespace solidem
+
+#endif
