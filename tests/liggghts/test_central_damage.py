@@ -88,7 +88,7 @@ def test_opposite_lips_drag_but_do_not_pull(
     write(body, tmp_path / "body.data")
     pair = words("piecewise") + f" range {RANGE} tolerance 0 dissipation {dissipation}"
     script = beginning(pair) + MOTION + "{}" + state(1) + "run 0\n"
-    lips = f"fix damage all solidem/damage lip {LIP}\n"
+    lips = "fix damage all solidem/damage lip 0.3\n"
     for damage, pull in (("", LAWS["piecewise"]["attraction"]), (lips, 0.0)):
         force = last_state(liggghts, tmp_path, script.format(damage))[:, 6]
         expected = np.array([1, 0, 0, -1, 0, 0]) * (pull + 2 * dissipation)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+import central_body
 from liggghts_runs import HEADER, Liggghts, simple_cubic
 
 BODY = (
@@ -142,3 +143,97 @@ def test_wrong_input_is_told(liggghts: Liggghts, tmp_path: Path, case: str) -> N
         liggghts.run(tmp_path, BODY + lines)
     assert "ERROR" in str(failure.value)
     assert message in str(failure.value)
+
+
+PAIR = "pair_style solidem/central piecewise stiffness 1e6 attraction 25 range 1.2"
+READY = PAIR + "\npair_coeff * *\n"
+WRONG_CENTRAL = {
+    "unknown law": (
+        PAIR.replace("piecewise", "peicewise"),
+        "unknown law 'peicewise'; known are piecewise, lennard-jones, shifted-lennard-jones, mie, "
+        "threshold",
+    ),
+    "misspelt parameter": (
+        PAIR.replace("stiffness", "stifness"),
+        "unknown word 'stifness'; law piecewise has stiffness, attraction, every law has range",
+    ),
+    "parameter missing": (
+        PAIR.replace("attraction 25 ", ""), "law piecewise needs attraction"),
+    "parameter of another law": (PAIR + " energy 1", "unknown word 'energy'; law piecewise has"),
+    "parameter without value": (PAIR.replace("range 1.2", "range"), "'range' has no value"),
+    "not a number": (PAIR.replace("1e6", "1e6N"), "stiffness must be a number, not '1e6N'"),
+    "negative parameter": (PAIR.replace("25", "-25"), "attraction must be above 0, not -25"),
+    "broken exponent": (
+        "pair_style solidem/central mie energy 1 repulsive_exponent 8.5 attractive_exponent 4 "
+        "range 1.2",
+        "repulsive_exponent must be a whole number from 1, not 8.5",
+    ),
+    "parameters that do not go together": (
+        "pair_style solidem/central mie energy 1 repulsive_exponent 4 attractive_exponent 8 "
+        "range 1.2",
+        "attractive_exponent must be below repulsive_exponent",
+    ),
+    "no range": (PAIR.replace(" range 1.2", ""), "needs range, above 1"),
+    "range of nothing": (PAIR.replace("1.2", "1"), "range must be above 1, not 1"),
+    "unknown equilibrium": (
+        PAIR + " equilibrium start", "equilibrium must be initial or radii, not 'start'"),
+    "unknown neighbours": (
+        PAIR + " neighbours new", "neighbours must be changing or fixed, not 'new'"),
+    "interpenetration of all": (
+        PAIR + " interpenetration 1", "interpenetration must be above 0 and below 1, not 1"),
+    "negative dissipation": (
+        PAIR + " dissipation -1", "dissipation must not be negative, but is -1"),
+    "coefficients": (PAIR + "\npair_coeff 1 1 5\n", "pair_coeff takes '* *' and no more"),
+    "ghosts without velocities": (
+        READY.replace("1.2", "1.2 dissipation 1") + "communicate single vel no\nrun 0\n",
+        "dissipation needs 'communicate single vel yes'",
+    ),
+    "damage without its pair style": (
+        "fix damage all solidem/damage lip 0.4\nrun 0\n", "needs 'pair_style solidem/central'"),
+    "damage that looks for nothing": (
+        READY + "fix damage all solidem/damage\n", "looks for nothing: give lip C"),
+    "misspelt word of damage": (
+        READY + "fix damage all solidem/damage lips 0.4\n",
+        "unknown word 'lips'; known are lip, every, minimal_neighbours, removal_every",
+    ),
+    "damage without value": (
+        READY + "fix damage all solidem/damage lip\n", "'lip' has no value"),
+    "negative lip": (
+        READY + "fix damage all solidem/damage lip -1\n", "lip must be above 0, not -1"),
+    "half a step": (
+        READY + "fix damage all solidem/damage lip 1 every 0.5\n",
+        "every must be a whole number from 1, not 0.5",
+    ),
+    "damage of a group": (
+        READY + "group some id 1\nfix damage some solidem/damage lip 1\n",
+        "must be used with group 'all'",
+    ),
+    "damage twice": (
+        READY + "fix one all solidem/damage lip 1\nfix two all solidem/damage lip 1\nrun 0\n",
+        "must be the only one of its style",
+    ),
+    "memory by hand": (
+        READY + "fix mine all solidem/central\n", "is made by 'pair_style solidem/central'"),
+}
+
+
+@pytest.mark.parametrize("case", WRONG_CENTRAL)
+def test_wrong_input_of_central_forces_is_told(
+    liggghts: Liggghts, tmp_path: Path, case: str
+) -> None:
+    lines, message = WRONG_CENTRAL[case]
+    central_body.write(simple_cubic((2, 2, 2), 1e-3), tmp_path / "body.data")
+    begin = central_body.HEAD + "boundary f f f\nread_data body.data\nneighbor 1e-4 bin\n"
+    with pytest.raises(AssertionError) as failure:
+        liggghts.run(tmp_path, begin + lines + "\n")
+    assert "ERROR" in str(failure.value)
+    assert message in str(failure.value)
+
+
+def test_a_periodic_cell_where_ids_do_not_tell_pairs(liggghts: Liggghts, tmp_path: Path) -> None:
+    """Two atoms that meet each other twice: only without memory."""
+    central_body.write(simple_cubic((2, 5, 5), 1e-3, periodic=True), tmp_path / "body.data")
+    begin = central_body.HEAD + "boundary p p p\nread_data body.data\nneighbor 1e-4 bin\n"
+    with pytest.raises(AssertionError, match="the periodic cell is 0.004 wide in x, but must be"):
+        liggghts.run(tmp_path, begin + READY + "run 0\n")
+    liggghts.run(tmp_path, begin + READY.replace("1.2", "1.2 equilibrium radii") + "run 0\n")
