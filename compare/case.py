@@ -36,7 +36,8 @@ class Variant:
         """A name for a group of variants that differ in these values only."""
         if not any(f"${key}" in self.pattern for key in keys):
             return "all"
-        spans = {key: f"{group[0].values[key]}–{group[-1].values[key]}" for key in keys}
+        ends = {key: (group[0].values[key], group[-1].values[key]) for key in keys}
+        spans = {key: f"{a}–{b}" if a != b else a for key, (a, b) in ends.items()}
         return str(_put_in(self.pattern, {**self.values, **spans}, ""))
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 # Imported so that their measures are known.
-from compare import (beam_modes, beam_yield, cyclic, heat_measures,  # noqa: F401
+from compare import (beam_modes, beam_yield, central, cyclic, heat_measures,  # noqa: F401
                      slender_beams, tension)
 from compare.case import Case, CaseError, Check, Variant, read_case
 from compare.codes.base import Code

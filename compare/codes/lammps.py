@@ -31,7 +31,7 @@ atom_style atomic
 atom_modify map array sort 0 0.0
 boundary {boundary}
 read_data specimen.data
-neighbor {skin:.17g} bin
+neighbor {skin:.17g} {search}
 neigh_modify delay 0 every 1 check yes
 pair_style {style} {range:.17g}
 include coefficients.in
@@ -197,8 +197,10 @@ class Lammps:
         _write_data(directory / "specimen.data", specimen, types, mean)
         script = HEAD.format(
             boundary=" ".join("p" if p else "s" for p in specimen.periodic),
-            skin=forces.skin * mean, style=self.style,
-            range=2 * forces.range * float(specimen.radius.max()), time_step=parameters.time_step)
+            # Bins do not work in a box that is small beside them.
+            skin=forces.skin * mean, search="bin" if len(specimen.radius) > 100 else "nsq",
+            style=self.style, range=2 * forces.range * float(specimen.radius.max()),
+            time_step=parameters.time_step)
         script += _motion_lines(job) + _history_lines(job)
         script += f"dump frames all custom {job.frame_every} frames.dump id x y z\n"
         script += 'dump_modify frames sort id format line "%d %.17g %.17g %.17g"\n'

@@ -57,9 +57,21 @@ class Response:
     """What the pairs of a body do in a pose."""
 
     force: Floats  #: (N, 3) on the elements, N
-    potential: float  #: of all pairs, J; of lips that only push, as if they attracted, too
     dissipation: float  #: power of the dissipation, W
-    interactions: int  #: pairs within the range
+    interaction: Interaction
+    distance: Floats  #: (P,) of the pairs within the range, m
+    equilibrium: Floats  #: (P,) m
+    limit: Floats  #: (P,) m
+
+    @property
+    def interactions(self) -> int:
+        """Pairs within the range."""
+        return len(self.distance)
+
+    @property
+    def potential(self) -> float:
+        """Energy of all pairs, J; of lips that only push, as if they attracted, too."""
+        return float(self.interaction.potential(self.distance, self.equilibrium, self.limit).sum())
 
 
 class CentralBody:
@@ -173,7 +185,6 @@ class CentralBody:
             apart = ((np.einsum("ij,ij->i", self.barycentre[i], chord) < 0)
                      & (np.einsum("ij,ij->i", self.barycentre[j], chord) > 0))
             force = np.where(apart, np.maximum(force, 0.0), force)
-        potential = float(self.interaction.potential(distance, equilibrium, limit).sum())
         dissipation, coefficient = 0.0, self.forces.dissipation
         if coefficient:
             if velocity is None:
@@ -184,4 +195,5 @@ class CentralBody:
         if len(distance):
             self.deepest = max(self.deepest, float((1 - distance / equilibrium).max()))
         on_j = (force / distance)[:, None] * chord
-        return Response(self._sum(i, j, -on_j, on_j), potential, dissipation, len(i))
+        return Response(self._sum(i, j, -on_j, on_j), dissipation, self.interaction, distance,
+                        equilibrium, limit)

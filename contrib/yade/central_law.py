@@ -221,8 +221,10 @@ class Interaction:
         """F, N, 0 from the range `limit` = δ_lim on."""
         nearest = (1 - self.interpenetration) * equilibrium
         kept = np.maximum(distance, nearest)
-        along = self.law.slope(nearest, equilibrium) * (kept - distance)
-        return np.where(distance < limit, self.law.force(kept, equilibrium) + along, 0.0)
+        found = self.law.force(kept, equilibrium)
+        if (distance < nearest).any():
+            found = found + self.law.slope(nearest, equilibrium) * (kept - distance)
+        return np.where(distance < limit, found, 0.0)
 
     def potential(self, distance: Floats, equilibrium: Floats, limit: Floats) -> Floats:
         """Φ, J, 0 from the range on."""

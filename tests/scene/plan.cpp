@@ -37,6 +37,9 @@ const Names flowing_motion = {
 const Names pulled = {"beams", "grip left", "grip right"};
 const Names torn = united(pulled, {"rupture"});
 
+const Names attracted = {"pose", "velocity", "inverse_mass", "rest_length", "listed_place"};
+const Names pulled_apart = {"central forces", "grip left", "grip right"};
+
 const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};
 const Names hot_and_cold = {"conduction", "temperature cold", "temperature hot"};
 
@@ -52,7 +55,11 @@ const std::map<std::string, Expected> expected = {
     {"compare/scenes/cylinder.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/elastic_cycle.toml",
      {{"beams", "grip left", "grip right"}, {"move_beams"}, motion}},
+    {"compare/scenes/lattice_tension.toml",
+     {pulled_apart, {"move_by_central_forces, mie"}, attracted}},
     {"compare/scenes/plate.toml", {{"conduction", "heat source disc"}, {"conduct"}, heat}},
+    {"compare/scenes/rearranging_bar.toml",
+     {pulled_apart, {"move_by_central_forces, piecewise"}, attracted}},
     {"compare/scenes/reversed_tension.toml",
      {pulled, {"move_beams, radial return"}, flowing_motion}},
     {"compare/scenes/simple_cubic.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
@@ -63,6 +70,8 @@ const std::map<std::string, Expected> expected = {
     {"compare/scenes/three_point_bending.toml",
      {united(pulled, {"grip middle"}), {"move_beams, radial return"}, flowing_motion}},
     {"compare/scenes/torn_bar.toml", {torn, {"move_beams, radial return"}, flowing_motion}},
+    {"compare/scenes/two_elements.toml",
+     {pulled_apart, {"move_by_central_forces, piecewise"}, attracted}},
     {"compare/scenes/two_materials.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/vibrating_bar.toml", {{"beams"}, {"move_beams"}, motion}},
     {"compare/scenes/wedge.toml", {hot_and_cold, {"conduct"}, heat}},
