@@ -373,6 +373,8 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
     unsupported: list[str] = []
     if laws.get("conduction"):
         conduction = _conduction(laws["conduction"], unsupported)
+    if explained.get("initial_velocities"):
+        unsupported.append("initial velocities are not understood")
     for entry in explained.get("powers") or []:
         if not entry["constant"]:
             unsupported.append(f"heat source {entry['name']}: varies; only constants in elements "

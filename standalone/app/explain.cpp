@@ -177,6 +177,7 @@ Json loads_of(const Setup& setup, Json report) {
                                {"axes", axes},
                                {"rotation", grip.rotation_fixed ? "fixed" : "free"}});
   }
+  report["initial_velocities"] = setup.initial_velocities.size();
   report["temperatures"] = Json::array();
   for (const ImposedTemperatureParameters& imposed : setup.temperatures)
     if (imposed.wall.empty())

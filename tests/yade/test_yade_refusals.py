@@ -77,6 +77,11 @@ def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str)
         parse_parameters(task).require_support()
 
 
+def test_bodies_that_move_from_the_start(bar: Bar, tmp_path: Path) -> None:
+    task = {**beam_task(bar, 1.0, 10), "initial_velocities": 1}
+    refuses(bar.path, task, tmp_path, "initial velocities")
+
+
 @pytest.mark.parametrize("laws, words", [
     ({"plasticity": {"law": "radial-return", "yield_strain": 1e-3, "hardening_ratio": 0.0}},
      "need --law scripted"),
