@@ -8,8 +8,11 @@
 #include <map>
 
 #include "model/error.hpp"
+#include "model/specimen.hpp"
 #include "scene/nearest_name.hpp"
+#include "scene/scene.hpp"
 #include "scene/units.hpp"
+#include "specimen/recipe.hpp"
 
 namespace solidem {
 
@@ -24,11 +27,11 @@ struct Writing {
 Writing writing_of(LawQuantity quantity) {
   switch (quantity) {
     case LawQuantity::energy:
-      return {"J", {"an energy", "J", "0.1 mJ"}};
+      return {"J", dimension::energy};
     case LawQuantity::force:
       return {"N", dimension::force};
     case LawQuantity::stiffness:
-      return {"N/m", {"a stiffness", "N/m", "1500 kN/m"}};
+      return {"N/m", dimension::stiffness};
     case LawQuantity::ratio:
     case LawQuantity::exponent:
       break;
@@ -122,9 +125,10 @@ void refuse_unknown(const NamedLaw& named, std::vector<std::string> known) {
     bool is_known = false;
     for (const std::string& name : known) is_known = is_known || name == key;
     if (!is_known)
-      throw InputError(fmt::format("{} {} = {}: unknown parameter{}; expected {}, or one of {}",
+      throw InputError(fmt::format("{} {} = {}: unknown parameter{}; expected {}one of {}",
                                    named.name, key, value, did_you_mean(key, known),
-                                   join(parameters), join(common_names)));
+                                   parameters.empty() ? "" : join(parameters) + ", or ",
+                                   join(common_names)));
   }
 }
 
@@ -160,7 +164,42 @@ void apply_common(ShownLaw& shown, const NamedLaw& named, const LawDefaults& def
   if (const std::string text = word("label", ""); !text.empty()) shown.label = text;
 }
 
+bool is_scene(const std::string& word) {
+  const std::string ending = ".toml";
+  return word.size() > ending.size() &&
+         word.compare(word.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// The mean radius of a scene's elements, m; the body is made only where the recipe does not say
+/// it.
+double mean_radius_of(const SpecimenRecipe& recipe) {
+  if (recipe.file.empty() && recipe.element_radius > 0) return recipe.element_radius;
+  if (recipe.file.empty() && recipe.mean_radius > 0) return recipe.mean_radius;
+  return mean_radius(make_specimen(recipe));
+}
+
+/// The law of a scene's [central_forces].
+ShownLaw scene_law(const NamedLaw& named, const LawDefaults& defaults) {
+  const Scene scene = read_scene(named.name);
+  if (!scene.setup.central_forces)
+    throw InputError(named.name +
+                     ": no central forces; expected a scene with a section [central_forces]");
+  refuse_unknown(named, {});
+  const CentralForceParameters& forces = *scene.setup.central_forces;
+  ShownLaw shown;
+  shown.label = std::visit([](const auto& law) { return std::string(law.name); }, forces.law) +
+                " of " + scene.title;
+  shown.law = forces.law;
+  shown.range = forces.range;
+  shown.interpenetration = forces.interpenetration;
+  if (named.values.count("equilibrium") == 0 && defaults.equilibrium.empty())
+    shown.equilibrium = 2 * mean_radius_of(scene.specimen);
+  apply_common(shown, named, defaults);
+  return shown;
+}
+
 ShownLaw shown_law(const NamedLaw& named, const LawDefaults& defaults) {
+  if (is_scene(named.name)) return scene_law(named, defaults);
   ShownLaw shown;
   std::vector<std::string> names;
   bool is_found = false;

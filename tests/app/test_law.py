@@ -75,10 +75,55 @@ def test_figures_are_those_that_sources_give(solidem):
     assert "at 1.05556 of it; 25 N where the range ends, at 1.4" in done.stdout
 
 
+SCENE = """\
+title = "crystal"
+[specimen]
+shape = "crystal"
+lattice = "bcc"
+cells = [4, 4, 4]
+element_radius = "0.1 mm"
+[material]
+density = "2790 kg/m^3"
+[central_forces]
+law = "piecewise"
+stiffness = "1500 kN/m"
+attraction = "25 N"
+range = 1.4
+interpenetration = 0.25
+[run]
+steps = 10
+"""
+
+
+def test_the_law_of_a_scene_is_the_one_with_its_words(solidem):
+    scene = solidem.scene("bar.toml", SCENE)
+    done = solidem("law", "plot", scene, "label=A", "--output", "scene")
+    assert done.returncode == 0, done.stderr
+    words = solidem("law", "plot", *PIECEWISE, "range=1.4", "interpenetration=0.25",
+                    "equilibrium=0.2 mm", "label=A", "--output", "words")
+    assert words.returncode == 0, words.stderr
+    assert rows_of(solidem, "scene.csv") == rows_of(solidem, "words.csv")
+    assert (solidem.folder / "scene.svg").read_text() == (solidem.folder / "words.svg").read_text()
+    # Two in one picture, one of them changed.
+    both = solidem("law", "plot", scene, scene, "range=1.2", "label=nearer", "-o", "both")
+    assert both.returncode == 0 and "nearer" in both.stdout and "of crystal" in both.stdout
+
+
+def test_a_scene_without_central_forces_and_an_unreadable_one_are_told(solidem):
+    beams = SCENE.replace("[central_forces]", "[beams]").replace("interpenetration = 0.25\n", "")
+    for text, told in ((SCENE[:SCENE.index("[material]")], "no central forces"),
+                       (beams, "bar.toml"), (SCENE.replace("1500 kN/m", "1500 kN"), "1500 kN")):
+        done = solidem("law", "plot", solidem.scene("bar.toml", text), "--output", "out")
+        assert done.returncode == 2 and told in done.stderr
+    done = solidem("law", "plot", solidem.scene("bar.toml", SCENE), "stifness=3", "-o", "out")
+    assert done.returncode == 2 and "stifness" in done.stderr
+    assert not list(solidem.folder.glob("out.*"))
+
+
 @pytest.mark.parametrize(("words", "told"), [
     (["mei", "energy=1 J"], ["mei", "did you mean mie", "threshold"]),
     (["mie", "energy=3 kg"], ["mie energy", "3 kg", "an energy"]),
-    (["mie", "energy=3"], ["mie energy", "no unit", "0.1 mJ"]),
+    (["mie", "energy=3"], ["mie energy", "no unit", "mJ"]),
     (["mie", "energy=-3 J", *MIE[2:]], ["mie energy", "-3 J", "above 0"]),
     (["energy=3 J"], ["energy=3 J", "no law stands before it"]),
     (["mie", "enrgy=3 J"], ["mie enrgy", "did you mean energy"]),
