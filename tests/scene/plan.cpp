@@ -38,6 +38,7 @@ const Names pulled = {"beams", "grip left", "grip right"};
 const Names torn = united(pulled, {"rupture"});
 
 const Names attracted = {"pose", "velocity", "inverse_mass", "rest_length", "listed_place"};
+const Names dissipated = united(attracted, {"carried_velocity", "dissipated_energy"});
 const Names pulled_apart = {"central forces", "grip left", "grip right"};
 
 const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};
@@ -49,6 +50,14 @@ const std::map<std::string, Expected> expected = {
     {"benchmarks/speed/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/annulus.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/cantilever.toml", {{"beams", "grip wall"}, {"move_beams"}, motion}},
+    {"compare/scenes/central_cycles.toml",
+     {pulled_apart, {"move_by_central_forces, piecewise, dissipation"}, dissipated}},
+    {"compare/scenes/central_tension.toml",
+     {united(pulled_apart, {"damage"}),
+      {"find_crack_lips", "move_by_central_forces, piecewise, dissipation, cracks"},
+      united(dissipated, {"barycentre"})}},
+    {"compare/scenes/central_threshold.toml",
+     {pulled_apart, {"move_by_central_forces, threshold"}, attracted}},
     {"compare/scenes/constant_strain.toml",
      {pulled, {"move_beams, radial return"}, flowing_motion}},
     {"compare/scenes/cyclic_force.toml", {torn, {"move_beams, radial return"}, flowing_motion}},

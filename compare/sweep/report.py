@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a sweep leaves behind: tables (Markdown, CSV), verdicts and one figure a variation."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Sequence
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+from compare.sweep.results import Group, Reading, Verdict, table  # noqa: E402
+from compare.sweep.sweep import Sweep, Variation  # noqa: E402
+
+PALETTE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
+
+
+def terminal(rows: Sequence[Sequence[str]]) -> str:
+    """A table with columns as wide as they need."""
+    widths = [max(len(row[n]) for row in rows) for n in range(len(rows[0]))]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip()
+                     for row in rows)
+
+
+def markdown(rows: Sequence[Sequence[str]]) -> str:
+    """The same as Markdown."""
+    head, *rest = ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join([head, "|" + "---|" * len(rows[0]), *rest]) + "\n"
+
+
+def verdict_rows(sweep: Sweep, verdicts: Sequence[Verdict]) -> list[list[str]]:
+    """One row for each check."""
+    titles = {v.name: v.title for v in sweep.variations}
+    rows = [["what varies", "measure", "expected", "found", "", "why"]]
+    for verdict in verdicts:
+        check = verdict.check
+        word = "" if check.expects == "printed" else "ok" if verdict.passed else "NOT"
+        rows.append([titles[check.variation], check.measure, check.expects, verdict.found, word,
+                     check.reason])
+    return rows
+
+
+def draw(sweep: Sweep, variation: Variation, found: Sequence[Group], path: Path) -> None:
+    """The curves of one variation; specimens of one setting share a colour unless they are all
+    that varies."""
+    figure, axes = plt.subplots(figsize=(7.2, 4.6), layout="constrained")
+    for band in sweep.bands:
+        if band.get("vary", variation.name) == variation.name:
+            axes.axvspan(band["from"], band["to"], color="#bbbbbb", alpha=0.4, lw=0,
+                         label=band["label"])
+    own = [group for group in found if group.variation == variation.name]
+    for n, group in enumerate(own):
+        for k, reading in enumerate(group.readings):
+            alone = len(own) == 1 and len(group.readings) > 1
+            colour = group.setting.colour or PALETTE[(k if alone else n) % len(PALETTE)]
+            label = (f"specimen {reading.outcome.point.seed}" if alone else
+                     group.setting.label if k == 0 else None)
+            axes.plot(reading.curve.x / sweep.x.scale, reading.curve.y / sweep.y.scale,
+                      color=colour, lw=1.3, label=label)
+    axes.axhline(0, color="#888888", lw=0.6)
+    axes.set(xlabel=sweep.x.label, ylabel=sweep.y.label, title=variation.title)
+    axes.grid(color="#e4e4e4", lw=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(frameon=False, fontsize=9)
+    figure.savefig(path, dpi=110, metadata={"Software": None})
+    plt.close(figure)
+
+
+def write(sweep: Sweep, found: Sequence[Group], verdicts: Sequence[Verdict],
+          readings: Sequence[Reading], directory: Path) -> list[Path]:
+    """Writes table.md, points.csv and the figures; returns what was written."""
+    directory.mkdir(parents=True, exist_ok=True)
+    page = directory / "table.md"
+    page.write_text(f"# {sweep.title}\n\n{sweep.about}\n\n{markdown(table(sweep, found))}\n"
+                    f"{markdown(verdict_rows(sweep, verdicts))}", encoding="utf-8")
+    points = directory / "points.csv"
+    with points.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(["variation", "setting", "seed", *(m.name for m in sweep.measures)])
+        for reading in readings:
+            point = reading.outcome.point
+            writer.writerow([point.variation, point.setting.label, point.seed,
+                             *(reading.values[m.name] for m in sweep.measures)])
+    written = [page, points]
+    for variation in sweep.variations:
+        path = directory / f"{sweep.name}_{variation.name}.png"
+        draw(sweep, variation, found, path)
+        written.append(path)
+    return written
