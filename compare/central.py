@@ -89,7 +89,8 @@ def pair_force(view: View) -> Measured:
                    Series(f"{law}: {view.check.code}", path.distance, path.found, "--",
                           colour_of_previous=True)]
         below.append(Series(law, path.distance, path.error + 1e-17))
-    plot = Plot(f"two elements, {view.check.code}", "distance / that of equilibrium",
+    title = view.check.options.get("title", "two elements")
+    plot = Plot(f"{title}: {view.check.code}", "distance / that of equilibrium",
                 "force / largest attraction", series, below=below, below_label="difference",
                 below_log=True)
     errors = {law: float(path.error.max()) for law, path in paths.items()}
