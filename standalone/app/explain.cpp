@@ -104,7 +104,7 @@ Json central_forces_of(const CentralForceParameters& forces) {
   result["neighbours"] = name_of(forces.neighbours);
   result["interpenetration"] = forces.interpenetration;
   result["dissipation"] = forces.dissipation ? Json(*forces.dissipation) : Json(nullptr);
-  result["skin"] = forces.skin;
+  result["skin"] = forces.skin ? Json(*forces.skin) : Json(nullptr);
   result["bond_tolerance"] = forces.bond_tolerance;
   return result;
 }

@@ -17,7 +17,8 @@ namespace solidem {
 
 namespace {
 
-constexpr int samples = 1201;
+constexpr int samples = 1201;       // of a table
+constexpr int drawn_samples = 401;  // of a curve
 
 /// What the panels are scaled by: the largest of all laws.
 struct Scale {
@@ -90,14 +91,14 @@ Plot plot_of(const std::vector<ShownLaw>& laws, double from, double to) {
     const ShownLaw& law = laws[k];
     const int colour = static_cast<int>(k);
     const double size = law.equilibrium;
-    const std::vector<LawPoint> points = sample(law, from, to, samples);
+    const std::vector<LawPoint> points = sample(law, from, to, drawn_samples);
     const auto add = [&](PlotPanel& panel, double unit, const auto& figure) {
       add_curves(panel, points, size, colour, unit, figure);
     };
     add(force, newton.factor, [](const LawPoint& p) { return p.force; });
     add(stiffness, stiff.factor, [](const LawPoint& p) { return p.stiffness; });
     add(potential, joule.factor, [](const LawPoint& p) { return p.potential; });
-    add_curves(overlap, sample(law, 0, 0.9999, samples), size, colour, newton.factor,
+    add_curves(overlap, sample(law, 0, 0.9999, drawn_samples), size, colour, newton.factor,
                [](const LawPoint& p) { return p.force; });
     const LawFigures figures = figures_of(law);
     deepest = std::max(deepest, law_at(law, 0).force);

@@ -16,6 +16,8 @@ namespace solidem {
 namespace {
 
 constexpr std::size_t least_blocks = 600;  // below, a second thread costs more than it saves
+constexpr double default_skin = 0.1;       // mean radii
+constexpr double search_cost = 25;         // steps that take as long as a search, without a skin
 
 Vector row_vector(const double* row) {
   return {row[0], row[1], row[2]};
@@ -43,7 +45,7 @@ bool change(const CentralForceParameters& parameters) {
 
 std::vector<const Column*> CentralForces::columns(const CentralForceParameters& parameters,
                                                   bool cracks, bool periodic) {
-  std::vector<const Column*> asked = {&columns::pose, &columns::velocity, &columns::inverse_mass};
+  std::vector<const Column*> asked = {&columns::place, &columns::velocity, &columns::inverse_mass};
   if (are_remembered(parameters)) asked.push_back(&columns::rest_length);
   if (change(parameters)) asked.push_back(&columns::listed_place);
   if (parameters.dissipation)
@@ -57,17 +59,14 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
                              const std::vector<double>& mass, Model& model)
     : parameters_(parameters), model_(model) {
   const Specimen& specimen = model.specimen();
-  skin_ = change(parameters_) ? parameters_.skin * mean_radius(specimen) : 0;
-  double* poses[] = {model.data(columns::pose), model.next(columns::pose)};
+  if (change(parameters_)) skin_ = parameters_.skin.value_or(default_skin) * mean_radius(specimen);
+  double* buffers[] = {model.data(columns::place), model.next(columns::place)};
   double* inverse_mass = model.data(columns::inverse_mass);
   for (std::size_t i = 0; i < specimen.size(); ++i) {
     const Vector& p = specimen.position[i];
-    for (double* pose : poses) {
-      pose[8 * i] = p.x;
-      pose[8 * i + 1] = p.y;
-      pose[8 * i + 2] = p.z;
-      pose[8 * i + 3] = specimen.radius[i];
-      pose[8 * i + 4] = 1;
+    for (double* place : buffers) {
+      const double row[] = {p.x, p.y, p.z, parameters_.range * specimen.radius[i]};
+      std::copy_n(row, 4, place + 4 * i);
     }
     inverse_mass[i] = 1 / mass[i];
   }
@@ -164,10 +163,12 @@ void CentralForces::fill_slots() {
 }
 
 void CentralForces::search() {
-  const double* pose = model_.data(columns::pose);
+  if (!parameters_.skin) choose_skin();
+  steps_since_ = 0;
+  const double* places = model_.data(columns::place);
   double* listed = model_.data(columns::listed_place);
   for (std::size_t i = 0; i < model_.elements(); ++i) {
-    const Vector place = row_vector(pose + 8 * i);
+    const Vector place = row_vector(places + 4 * i);
     if (!std::isfinite(place.x + place.y + place.z))
       throw RunError("the run diverged: element " + std::to_string(i) +
                      " stands at no finite place any more");
@@ -176,15 +177,31 @@ void CentralForces::search() {
   fill_slots();
 }
 
+void CentralForces::choose_skin() {
+  // Lists grow with the volume they hold, and last as long as the fastest element takes for half
+  // the skin. Counted, never timed: runs are alike on every machine, and whatever the skin, results
+  // are the same bits.
+  const double radius = mean_radius(model_.specimen());
+  const double step = 0.5 * skin_ / static_cast<double>(std::max<std::int64_t>(1, steps_since_));
+  const auto cost = [&](double skin) {
+    const double size = 1 + skin / (2 * parameters_.range * radius);
+    return size * size * size * (1 + search_cost / std::max(1.0, 0.5 * skin / step));
+  };
+  double best = skin_;
+  for (const double share : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0})
+    if (cost(share * radius) < cost(best)) best = share * radius;
+  skin_ = best;
+}
+
 void CentralForces::keep_neighbours() {
   if (!change(parameters_)) return;
   bool moved = outran_;
-  const double* pose = model_.data(columns::pose);
+  const double* places = model_.data(columns::place);
   const double* listed = model_.data(columns::listed_place);
   for (std::size_t k = 0; k < driven_.size() && !moved; ++k) {
     const auto i = static_cast<std::size_t>(driven_[k]);
     const Vector away =
-        row_vector(pose + 8 * i) - lanes_vector(listed, Model::at(columns::listed_place, i));
+        row_vector(places + 4 * i) - lanes_vector(listed, Model::at(columns::listed_place, i));
     moved = !(dot(away, away) <= 0.25 * skin_ * skin_);
   }
   if (moved) search();
@@ -203,8 +220,8 @@ CentralMotion CentralForces::motion(Model& model) const {
   motion.law = parameters_.law;
   motion.first_row = model.slots().first_row();
   motion.neighbour = model.slots().neighbours();
-  motion.pose = model.data(columns::pose);
-  motion.next_pose = model.next(columns::pose);
+  motion.place = model.data(columns::place);
+  motion.next_place = model.next(columns::place);
   motion.velocity = model.data(columns::velocity);
   motion.inverse_mass = model.data(columns::inverse_mass);
   motion.rest_length = where(columns::rest_length);
@@ -225,6 +242,7 @@ CentralMotion CentralForces::motion(Model& model) const {
 
 void CentralForces::advance(Model& model, const Step& step) {
   keep_neighbours();
+  ++steps_since_;
   CentralMotion common = motion(model);
   common.kick = step.kick;
   common.drift = step.time_step;
@@ -339,21 +357,21 @@ double CentralForces::releasable_energy(const Model& model) const {
 std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, std::int32_t i,
                                                            std::int32_t j, std::size_t row,
                                                            int lane) const {
-  const double* pose = model.data(columns::pose);
-  const double* row_i = pose + std::ptrdiff_t{8} * i;
-  const double* row_j = pose + std::ptrdiff_t{8} * j;
+  const double* places = model.data(columns::place);
+  const double* row_i = places + std::ptrdiff_t{4} * i;
+  const double* row_j = places + std::ptrdiff_t{4} * j;
   Acting pair{};
   pair.chord = row_vector(row_j) - row_vector(row_i);
   if (model.has(columns::image_shift))
     pair.chord += lanes_vector(model.data(columns::image_shift),
                                Model::at_slot(columns::image_shift, row, lane));
   pair.distance = norm(pair.chord);
-  const double radii = row_i[3] + row_j[3], range = parameters_.range * radii;
+  const double range = row_i[3] + row_j[3];
   if (!(pair.distance < range) || !(pair.distance > 0)) return std::nullopt;
   pair.equilibrium =
       model.has(columns::rest_length)
           ? model.data(columns::rest_length)[Model::at_slot(columns::rest_length, row, lane)]
-          : radii;
+          : range / parameters_.range;
   std::visit(
       [&](const auto& law) {
         pair.push =
@@ -429,20 +447,24 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
 }
 
 std::vector<double> CentralForces::save() const {
-  std::vector<double> saved{closeness_, outran_ ? 1.0 : 0.0, static_cast<double>(searches_)};
+  std::vector<double> saved{closeness_, outran_ ? 1.0 : 0.0, static_cast<double>(searches_),
+                            static_cast<double>(steps_since_), skin_};
   for (std::size_t i = 0; i < absent_.size(); ++i)
     if (absent_[i] != 0) saved.push_back(static_cast<double>(i));
   return saved;
 }
 
 void CentralForces::restore(const std::vector<double>& saved) {
+  constexpr std::size_t kept = 5;  // figures before the elements that are absent
   closeness_ = saved.at(0);
   outran_ = saved.at(1) != 0;
   // Neighbours as they were listed then: in the columns of places, which are restored by now.
   absent_.clear();
-  if (saved.size() > 3) absent_.assign(model_.elements(), 0);
+  steps_since_ = static_cast<std::int64_t>(saved.at(3));
+  skin_ = saved.at(4);
+  if (saved.size() > kept) absent_.assign(model_.elements(), 0);
   fill_slots();
-  for (std::size_t k = 3; k < saved.size(); ++k) exclude(static_cast<std::int32_t>(saved[k]));
+  for (std::size_t k = kept; k < saved.size(); ++k) exclude(static_cast<std::int32_t>(saved[k]));
   searches_ = static_cast<std::size_t>(saved.at(2));
 }
 

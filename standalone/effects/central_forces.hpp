@@ -83,6 +83,8 @@ class CentralForces : public Mechanics {
   /// Lays out the slots for the elements as they were listed.
   void fill_slots();
   void search();
+  /// Chooses the skin that makes steps and searches together cheapest.
+  void choose_skin();
   CentralMotion motion(Model& model) const;
 
   CentralForceParameters parameters_;
@@ -98,6 +100,7 @@ class CentralForces : public Mechanics {
   double closeness_ = 0;                  ///< the largest δ_eq/δ met
   bool outran_ = false;
   std::size_t searches_ = 0;
+  std::int64_t steps_since_ = 0;  ///< the last search
 };
 
 }  // namespace solidem

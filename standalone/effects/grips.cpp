@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "effects/grips.hpp"
 
+#include <algorithm>
+
 namespace solidem {
 
 namespace {
@@ -48,8 +50,7 @@ double Grip::imposed_velocity(int axis, double time) const {
 
 void Grip::advance(Model& model, const Step& step) {
   double* velocity = model.data(columns::velocity);
-  const double* pose = model.data(columns::pose);
-  double* next = model.next(columns::pose);
+  const auto places = model.places(), next = model.next_places();
   const double after = step.time + step.time_step;
   double* carried =
       model.has(columns::carried_velocity) ? model.next(columns::carried_velocity) : nullptr;
@@ -64,7 +65,7 @@ void Grip::advance(Model& model, const Step& step) {
         double& v = velocity[Model::at(columns::velocity, i, axis)];
         bond_force += v * mass_[k];
         v = 0;
-        next[8 * i + static_cast<std::size_t>(axis)] = component(rest_[k], axis) + place;
+        next[i][axis] = component(rest_[k], axis) + place;
         if (carried != nullptr)
           carried[4 * i + static_cast<std::size_t>(axis)] = moved / step.time_step;
       }
@@ -76,13 +77,12 @@ void Grip::advance(Model& model, const Step& step) {
       const double gain = force / total_mass_ * step.kick;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
         const auto i = static_cast<std::size_t>(elements_[k]);
-        const std::size_t at = 8 * i + static_cast<std::size_t>(axis);
         velocity[Model::at(columns::velocity, i, axis)] += gain;
-        next[at] += gain * step.time_step;
+        next[i][axis] += gain * step.time_step;
         if (carried != nullptr) carried[4 * i + static_cast<std::size_t>(axis)] += gain;
         // The force at either end of a step works over half of it.
         const double mean_force = 0.5 * (force + control.function(after));
-        work_ += mean_force * mass_[k] / total_mass_ * (next[at] - pose[at]);
+        work_ += mean_force * mass_[k] / total_mass_ * (next[i][axis] - places[i][axis]);
       }
     }
   }
@@ -91,7 +91,7 @@ void Grip::advance(Model& model, const Step& step) {
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
     for (int axis = 0; axis < 3; ++axis) spin[Model::at(columns::angular_velocity, i, axis)] = 0;
-    for (std::size_t k = 4; k < 8; ++k) next[8 * i + k] = pose[8 * i + k];
+    std::copy_n(places[i] + 4, 4, next[i] + 4);
   }
 }
 

@@ -103,7 +103,8 @@ struct CentralForceParameters {
   double interpenetration = 0.1;      ///< a: deepest overlap, of the equilibrium distance, that the
                                       ///< time step allows for
   std::optional<double> dissipation;  ///< c, N·s/m
-  double skin = 0.1;                  ///< of the lists of neighbours, mean radii
+  std::optional<double> skin;         ///< of the lists of neighbours, mean radii; none: chosen as
+                                      ///< elements move
   double bond_tolerance = 0;  ///< t: neighbours at the start are nearer than (1 + t)(R_i + R_j)
 };
 

@@ -247,10 +247,10 @@ class Recorder {
     simulation_.observe(observation);
     std::vector<Field> fields;
     std::vector<double> position;
-    if (model.has(columns::pose)) {
-      const double* pose = model.data(columns::pose);
+    if (model.moves()) {
+      const auto places = model.places();
       for (std::size_t i = 0; i < model.elements(); ++i)
-        position.insert(position.end(), pose + 8 * i, pose + 8 * i + 3);
+        position.insert(position.end(), places[i], places[i] + 3);
       fields.push_back({"position", 3, position.data()});
       fields.push_back({"velocity", 3, &observation.motion.velocity.data()->x});
     }

@@ -90,8 +90,8 @@ void PointSensor::observe(const Model& model, Observation& observation) const {
     observation.add(name + "temperature", temperature);
     return;
   }
-  const double* pose = model.data(columns::pose) + 8 * i;
-  const Vector position{pose[0], pose[1], pose[2]};
+  const double* place = model.places()[i];
+  const Vector position{place[0], place[1], place[2]};
   if (sensor_.quantity == Sensor::Quantity::position)
     add("position", position);
   else if (sensor_.quantity == Sensor::Quantity::displacement)

@@ -264,7 +264,7 @@ void Simulation::advance(std::int64_t steps) {
     const double dt = time_step_.value;
     const Step step{time(), dt, step_ == 0 ? 0.5 * dt : dt};
     for (const auto& effect : effects_) effect->advance(model_, step);
-    if (mechanics_ != nullptr) model_.swap(columns::pose);
+    if (mechanics_ != nullptr) model_.swap(model_.place_column());
     if (model_.has(columns::carried_velocity)) model_.swap(columns::carried_velocity);
     if (heat_ != nullptr) heat_->advance(step);
     ++step_;

@@ -20,12 +20,12 @@ double stable_time_step(const Mechanics& mechanics, Model& model) {
   double* velocity = model.data(columns::velocity);
   const bool turning = model.has(columns::angular_velocity);
   double* spin = turning ? model.data(columns::angular_velocity) : nullptr;
-  double* pose = model.data(columns::pose);
+  const auto places = model.places();
   const double* inverse_mass = model.data(columns::inverse_mass);
   const double* inverse_inertia = turning ? model.data(columns::inverse_inertia) : nullptr;
   // Springs leave all that turns at zero.
   const std::size_t spins = turning ? model.size(columns::angular_velocity) : 0;
-  const std::vector<double> saved_pose(pose, pose + model.size(columns::pose));
+  const std::vector<double> saved_places(places[0], places[0] + model.size(model.place_column()));
   const std::vector<double> saved_velocity(velocity, velocity + model.size(columns::velocity));
   const std::vector<double> saved_spin(spin, spin + spins);
 
@@ -43,9 +43,10 @@ double stable_time_step(const Mechanics& mechanics, Model& model) {
   std::fill(spin, spin + spins, 0.0);
   for (std::size_t i = 0; i < elements; ++i) {
     const Vector& rest = model.specimen().position[i];
-    std::copy_n(&rest.x, 3, pose + 8 * i);
-    pose[8 * i + 4] = 1;
-    std::fill_n(pose + 8 * i + 5, 3, 0.0);
+    std::copy_n(&rest.x, 3, places[i]);
+    if (!turning) continue;
+    places[i][4] = 1;
+    std::fill_n(places[i] + 5, 3, 0.0);
   }
   mechanics.accelerate(model);
   const std::vector<double> at_rest(velocity, velocity + model.size(columns::velocity));
@@ -55,10 +56,11 @@ double stable_time_step(const Mechanics& mechanics, Model& model) {
     for (std::size_t i = 0; i < elements; ++i) {
       const double* u = &shape[6 * i];
       const Vector& rest = model.specimen().position[i];
-      double* row = pose + 8 * i;
+      double* row = places[i];
       row[0] = rest.x + u[0];
       row[1] = rest.y + u[1];
       row[2] = rest.z + u[2];
+      if (!turning) continue;
       row[4] = std::sqrt(1 - 0.25 * (u[3] * u[3] + u[4] * u[4] + u[5] * u[5]));
       row[5] = 0.5 * u[3];
       row[6] = 0.5 * u[4];
@@ -87,7 +89,7 @@ double stable_time_step(const Mechanics& mechanics, Model& model) {
     if (!(largest > 0)) break;
     for (double& u : shape) u *= amplitude / largest;
   }
-  std::copy(saved_pose.begin(), saved_pose.end(), pose);
+  std::copy(saved_places.begin(), saved_places.end(), places[0]);
   std::copy(saved_velocity.begin(), saved_velocity.end(), velocity);
   std::copy(saved_spin.begin(), saved_spin.end(), spin);
   return squared_frequency > 0 ? mechanics.longest_time_step(squared_frequency)

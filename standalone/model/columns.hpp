@@ -37,14 +37,11 @@ using Layout = Column::Layout;
 
 /// What a neighbour reads of an element, in one cache line.
 inline constexpr Column pose{
-    "pose",
-    Site::element,
-    Layout::rows,
-    8,
-    2,
-    true,
-    "m, 1",
-    "centre x y z, radius under central forces, orientation quaternion w x y z"};
+    "pose", Site::element, Layout::rows, 8,
+    2,      true,          "m, 1",       "centre x y z, spare, orientation quaternion w x y z"};
+/// The same of an element that has no orientation, in half a line.
+inline constexpr Column place{
+    "place", Site::element, Layout::rows, 4, 2, true, "m", "centre x y z, share of the range"};
 inline constexpr Column velocity{
     "velocity", Site::element, Layout::lanes, 3,
     1,          true,          "m/s",         "half a time step behind the pose"};

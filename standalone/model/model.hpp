@@ -42,6 +42,26 @@ class Model {
   /// Makes what was written what is read.
   void swap(const Column& column);
 
+  /// Centres of the elements, m: the first three of a row of doubles each, whichever column holds
+  /// them.
+  template <class Double>
+  struct Places {
+    Double* first;
+    std::size_t components;
+    Double* operator[](std::size_t element) const { return first + components * element; }
+  };
+  Places<double> places() { return {data(place_column()), components_of(place_column())}; }
+  Places<const double> places() const {
+    return {data(place_column()), components_of(place_column())};
+  }
+  /// What a step writes of them.
+  Places<double> next_places() { return {next(place_column()), components_of(place_column())}; }
+  /// Whether elements move, and the column of their places.
+  bool moves() const { return has(solidem::columns::pose) || has(solidem::columns::place); }
+  const Column& place_column() const {
+    return has(solidem::columns::place) ? solidem::columns::place : solidem::columns::pose;
+  }
+
   /// Doubles in one buffer of a column.
   std::size_t size(const Column& column) const;
 
@@ -68,6 +88,9 @@ class Model {
   std::vector<const Column*> columns() const;
 
  private:
+  static std::size_t components_of(const Column& column) {
+    return static_cast<std::size_t>(column.components);
+  }
   struct Storage {
     const Column* column;
     Buffer<double> buffer[2];

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace solidem {
@@ -35,17 +36,28 @@ const char* dashes_of(Stroke stroke) {
   return "";
 }
 
+/// Text as SVG has it. Letters after a Greek letter and an underscore ("δ_eq") are its index.
 std::string escaped(const std::string& text) {
+  const auto is_letter = [&](std::size_t k) {
+    return k < text.size() && std::isalpha(static_cast<unsigned char>(text[k])) != 0;
+  };
   std::string safe;
-  for (const char c : text) {
-    if (c == '&')
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    const bool after_greek = k > 0 && static_cast<unsigned char>(text[k - 1]) >= 0x80;
+    if (c == '&') {
       safe += "&amp;";
-    else if (c == '<')
+    } else if (c == '<') {
       safe += "&lt;";
-    else if (c == '>')
+    } else if (c == '>') {
       safe += "&gt;";
-    else
+    } else if (c == '_' && after_greek && is_letter(k + 1)) {
+      safe += "<tspan dy=\"3\" font-size=\"75%\">";
+      for (; is_letter(k + 1); ++k) safe += text[k + 1];
+      safe += "</tspan><tspan dy=\"-3\">\u200b</tspan>";  // back up, by a letter without width
+    } else {
       safe += c;
+    }
   }
   return safe;
 }

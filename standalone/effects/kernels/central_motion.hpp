@@ -16,44 +16,38 @@
 
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
-using Place = Quad<8>;      // of a row of poses
-using Companion = Quad<4>;  // velocity or barycentre beside it
-
-template <int stride>
-PackVector vector_of(const Quad<stride>& quad) {
+inline PackVector vector_of(const Quad& quad) {
   return {quad.component[0], quad.component[1], quad.component[2]};
 }
 
-/// A pack of neighbours seen from a pack of elements.
+/// A pack of neighbours seen from a pack of elements. Of an empty slot, and of two elements at one
+/// place, the distance is no number, so that nothing is inside.
 struct Seen {
   PackVector chord;
-  Pack square;            ///< δ²
   Pack inverse_distance;  ///< 1/δ
   Pack distance;          ///< δ, m
-  Pack radii;             ///< R_i + R_j
-  Mask inside;            ///< within the range, and not the element itself
+  Pack range;             ///< δ_lim, m
+  Mask inside;
 };
 
-inline Seen see(const CentralMotion& m, const Place& own, std::size_t row, std::size_t lane) {
-  const std::size_t slot = row * lanes + lane;
-  const Place other = Place::gather(m.pose, m.neighbour + slot);
+inline Seen see(const CentralMotion& m, const Quad& own, std::size_t row, std::size_t lane) {
+  const Quad other = Quad::gather(m.place, m.neighbour + row * lanes + lane);
   Seen seen;
   seen.chord = vector_of(other) - vector_of(own);
   if (m.image_shift != nullptr) seen.chord += load_vector(m.image_shift + 3 * row * lanes + lane);
-  seen.square = dot(seen.chord, seen.chord);
-  // Of an empty slot, and of two elements at one place, nothing is used.
-  seen.inverse_distance = inverse_sqrt(seen.square + Pack(tiny_square<double>));
-  seen.distance = seen.square * seen.inverse_distance;
-  seen.radii = own.component[3] + other.component[3];
-  seen.inside = both(greater(Pack(m.range) * seen.radii, seen.distance),
-                     greater(seen.square, Pack(tiny_square<double>)));
+  const Pack square = dot(seen.chord, seen.chord);
+  seen.inverse_distance = inverse_sqrt(square);
+  seen.distance = square * seen.inverse_distance;
+  seen.range = own.component[3] + other.component[3];
+  seen.inside = greater(seen.range, seen.distance);
   return seen;
 }
 
-/// Forces where some elements are nearer than the law is followed.
+/// Forces where some elements are nearer than the law is followed. Said to be pure, so that the hot
+/// loop need not fear for what it has in registers.
 template <class Law>
-[[gnu::noinline]] Pack continued_force(const Law& law, double interpenetration, Pack distance,
-                                       Pack equilibrium) {
+[[gnu::noinline, gnu::pure]] Pack continued_force(const Law& law, double interpenetration,
+                                                  Pack distance, Pack equilibrium) {
   Pack force;
   for (int k = 0; k < width; ++k)
     force.v[k] = central_force(law, interpenetration, distance.v[k], equilibrium.v[k]).force;
@@ -67,71 +61,48 @@ struct Pull {
   const CentralMotion& m;
   Pack closeness;
   std::size_t offset{};
-  Place own{};
+  Quad own{};  ///< centre, and α R
   PackVector own_velocity{}, own_barycentre{};
   PackVector force{};
   Pack dissipated{};
 
   void begin(std::size_t element, std::size_t lane) {
     offset = lane;
-    own = Place::load(m.pose + 8 * element);
+    own = Quad::load(m.place + 4 * element);
     if constexpr (dissipates)
-      own_velocity = vector_of(Companion::load(m.carried_velocity + 4 * element));
-    if constexpr (cracks) own_barycentre = vector_of(Companion::load(m.barycentre + 4 * element));
+      own_velocity = vector_of(Quad::load(m.carried_velocity + 4 * element));
+    if constexpr (cracks) own_barycentre = vector_of(Quad::load(m.barycentre + 4 * element));
     force = {};
     dissipated = {};
   }
 
-  /// Adds `count` rows. What a row needs is one long chain of operations that wait for each other;
-  /// several rows side by side keep the machine busy (one alone takes more than twice as long).
-  template <int count>
   void add(std::size_t row) {
-    const Pack none(0.0), nearest(1 - m.interpenetration);
-    Seen seen[count];
-    Pack equilibrium[count], push[count];
-    Mask deep[count];
-    for (int k = 0; k < count; ++k)
-      seen[k] = see(m, own, row + static_cast<std::size_t>(k), offset);
-    for (int k = 0; k < count; ++k)
-      equilibrium[k] =
-          m.rest_length != nullptr
-              ? Pack::load(m.rest_length + (row + static_cast<std::size_t>(k)) * lanes + offset)
-              : seen[k].radii;
-    for (int k = 0; k < count; ++k)
-      push[k] =
-          law.force(Separation<Pack>{seen[k].distance, seen[k].inverse_distance, equilibrium[k]});
-    Mask some_deep = seen[0].inside;
-    for (int k = 0; k < count; ++k) {
-      deep[k] = both(greater(nearest * equilibrium[k], seen[k].distance), seen[k].inside);
-      some_deep = k == 0 ? deep[0] : either(some_deep, deep[k]);
+    const Pack none(0.0);
+    const std::size_t slot = row * lanes + offset;
+    const Seen seen = see(m, own, row, offset);
+    const Pack equilibrium = m.rest_length != nullptr ? Pack::load(m.rest_length + slot)
+                                                      : Pack(1 / m.range) * seen.range;
+    const Separation<Pack> at{seen.distance, seen.inverse_distance, equilibrium};
+    Pack push = law.force(at);
+    const Pack near = at.closeness();
+    closeness = raise(closeness, seen.inside, near);
+    const Mask deep = both(greater(near, Pack(1 / (1 - m.interpenetration))), seen.inside);
+    if (__builtin_expect(any(deep), 0))
+      push =
+          select(deep, continued_force(law, m.interpenetration, seen.distance, equilibrium), push);
+    if constexpr (cracks) {
+      const PackVector barycentre = vector_of(Quad::gather(m.barycentre, m.neighbour + slot));
+      const Mask apart = on_opposite_lips(own_barycentre, barycentre, seen.chord);
+      push = select(both(apart, greater(none, push)), none, push);
     }
-    if (__builtin_expect(any(some_deep), 0))
-      for (int k = 0; k < count; ++k)
-        if (any(deep[k]))
-          push[k] = select(
-              deep[k], continued_force(law, m.interpenetration, seen[k].distance, equilibrium[k]),
-              push[k]);
-    for (int k = 0; k < count; ++k) {
-      const std::int32_t* neighbour =
-          m.neighbour + (row + static_cast<std::size_t>(k)) * lanes + offset;
-      if constexpr (cracks) {
-        const PackVector barycentre = vector_of(Companion::gather(m.barycentre, neighbour));
-        const Mask apart = on_opposite_lips(own_barycentre, barycentre, seen[k].chord);
-        push[k] = select(both(apart, greater(none, push[k])), none, push[k]);
-      }
-      if constexpr (dissipates) {
-        const PackVector velocity = vector_of(Companion::gather(m.carried_velocity, neighbour));
-        const Pack drag = dissipative_force(Pack(m.dissipation), seen[k].chord,
-                                            seen[k].inverse_distance, own_velocity - velocity);
-        push[k] += drag;
-        dissipated += select(seen[k].inside, drag * drag, none);
-      }
+    if constexpr (dissipates) {
+      const PackVector velocity = vector_of(Quad::gather(m.carried_velocity, m.neighbour + slot));
+      const Pack drag = dissipative_force(Pack(m.dissipation), seen.chord, seen.inverse_distance,
+                                          own_velocity - velocity);
+      push += drag;
+      dissipated += select(seen.inside, drag * drag, none);
     }
-    for (int k = 0; k < count; ++k) {
-      force += select(seen[k].inside, push[k] * seen[k].inverse_distance, none) * (-seen[k].chord);
-      closeness = larger(closeness,
-                         select(seen[k].inside, equilibrium[k] * seen[k].inverse_distance, none));
-    }
+    force -= select(seen.inside, push * seen.inverse_distance, none) * seen.chord;
   }
 };
 
@@ -146,24 +117,17 @@ void move_by(const Law& law, CentralMotion& m, std::size_t first, std::size_t la
       const auto offset = static_cast<std::size_t>(lane);
       const std::size_t element = block * lanes + offset;
       pull.begin(element, offset);
-      std::size_t row = m.first_row[block];
-      const std::size_t end = m.first_row[block + 1];
-      for (; row + 4 <= end; row += 4) pull.template add<4>(row);
-      if (row + 2 <= end) {
-        pull.template add<2>(row);
-        row += 2;
-      }
-      if (row < end) pull.template add<1>(row);
+      for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) pull.add(row);
       const std::size_t at = 3 * block * lanes + offset;
       const PackVector velocity =
           load_vector(m.velocity + at) +
           (Pack(m.kick) * Pack::load(m.inverse_mass + element)) * pull.force;
       store_vector(velocity, m.velocity + at);
       const PackVector moved = vector_of(pull.own) + Pack(m.drift) * velocity;
-      Place{{moved.x, moved.y, moved.z, pull.own.component[3]}}.store(m.next_pose + 8 * element);
+      Quad{{moved.x, moved.y, moved.z, pull.own.component[3]}}.store(m.next_place + 4 * element);
       if constexpr (dissipates) {
-        Companion{{velocity.x, velocity.y, velocity.z, Pack(0.0)}}.store(m.next_carried_velocity +
-                                                                         4 * element);
+        Quad{{velocity.x, velocity.y, velocity.z, Pack(0.0)}}.store(m.next_carried_velocity +
+                                                                    4 * element);
         // c (n · ΔV)² of each pair, half of it on either side.
         (Pack::load(m.dissipated_energy + element) +
          Pack(0.5 * m.kick / m.dissipation) * pull.dissipated)
@@ -200,7 +164,7 @@ inline void find_crack_lips(const CentralMotion& m, std::size_t first, std::size
     for (int lane = 0; lane < lanes; lane += width) {
       const auto offset = static_cast<std::size_t>(lane);
       const std::size_t element = block * lanes + offset;
-      const Place own = Place::load(m.pose + 8 * element);
+      const Quad own = Quad::load(m.place + 4 * element);
       PackVector sum{};
       Pack neighbours{};
       for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
@@ -209,8 +173,9 @@ inline void find_crack_lips(const CentralMotion& m, std::size_t first, std::size
         sum += counts * seen.chord;
         neighbours += counts;
       }
-      const PackVector shown = lip_barycentre(sum, neighbours, Pack(m.lip) * own.component[3]);
-      Companion{{shown.x, shown.y, shown.z, neighbours}}.store(m.barycentre + 4 * element);
+      const PackVector shown =
+          lip_barycentre(sum, neighbours, Pack(m.lip / m.range) * own.component[3]);
+      Quad{{shown.x, shown.y, shown.z, neighbours}}.store(m.barycentre + 4 * element);
     }
 }
 

@@ -70,8 +70,8 @@ struct CentralMotion {
   CentralLaw law;
   const std::uint32_t* first_row;
   const std::int32_t* neighbour;
-  const double* pose;  ///< x y z, radius
-  double* next_pose;
+  const double* place;  ///< x y z, α R
+  double* next_place;
   double* velocity;
   const double* inverse_mass;
   const double* rest_length;  ///< null: radii touch at the equilibrium
@@ -79,7 +79,7 @@ struct CentralMotion {
   double range;               ///< α
   double interpenetration;    ///< a
   double kick;                ///< s, by which the velocities move on
-  double drift;               ///< s, by which the poses move on
+  double drift;               ///< s, by which the places move on
 
   // Where motion is dissipated.
   double dissipation;  ///< c, N·s/m
@@ -130,7 +130,7 @@ struct Kernels {
   /// pose += drift · velocity.
   void (*move_beams)(const BeamMotion&, std::size_t first, std::size_t last);
   /// Central forces on every element, then velocity += kick · force / mass,
-  /// pose += drift · velocity.
+  /// place += drift · velocity.
   void (*move_by_central_forces)(CentralMotion&, std::size_t first, std::size_t last);
   /// What every element shows of the cracks about it: laws/crack_lip.hpp.
   void (*find_crack_lips)(const CentralMotion&, std::size_t first, std::size_t last);

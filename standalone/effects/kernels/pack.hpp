@@ -25,6 +25,7 @@ namespace solidem::SOLIDEM_INSTRUCTION_SET {
 inline constexpr int width = 8;
 // The unmasked intrinsics read an undefined register, which g++ 12 warns of.
 inline constexpr __mmask8 every_lane = 0xff;
+inline constexpr __mmask8 upper_half = 0xf0;
 #elif defined(__AVX__)
 inline constexpr int width = 4;
 #else
@@ -38,7 +39,7 @@ struct Pack {
   Lanes v;
 
   Pack() : v{} {}
-  Pack(double s) : v(Lanes{} + s) {}  // NOLINT: a scalar is a pack of equals
+  Pack(double s) : v(s - Lanes{}) {}  // NOLINT: a scalar is a pack of equals; s − 0 costs nothing
   explicit Pack(Lanes lanes) : v(lanes) {}
 
   static Pack load(const double* from) { return Pack(*reinterpret_cast<const Lanes*>(from)); }
@@ -66,14 +67,13 @@ inline Pack sqrt(Pack a) {
 #endif
 }
 
-/// 1/√a for a far above 0 and below infinity, to a few units in the last place.
+/// 1/√a to a few units in the last place; of 0 infinity or no number.
 inline Pack inverse_sqrt(Pack a) {
 #if defined(__AVX512F__)
-  // Newton's steps double the 14 bits that the machine gives, twice.
-  Pack y(Lanes(_mm512_maskz_rsqrt14_pd(every_lane, a.v)));
-  const Pack half = Pack(0.5) * a;
-  y = y * (Pack(1.5) - half * y * y);
-  return y * (Pack(1.5) - half * y * y);
+  // What the machine gives to 14 bits times the series of (1 − e)^(−1/2), e about 2^−13.
+  const Pack y(Lanes(_mm512_maskz_rsqrt14_pd(every_lane, a.v)));
+  const Pack e = Pack(1.0) - a * y * y;
+  return y + y * e * (Pack(0.5) + e * (Pack(0.375) + e * Pack(0.3125)));
 #else
   return Pack(1.0) / sqrt(a);
 #endif
@@ -86,7 +86,7 @@ struct HalfPack {
   HalfLanes v;
 
   HalfPack() : v{} {}
-  HalfPack(double s) : v(HalfLanes{} + static_cast<float>(s)) {}  // NOLINT: as of a Pack
+  HalfPack(double s) : v(static_cast<float>(s) - HalfLanes{}) {}  // NOLINT: as of a Pack
   explicit HalfPack(HalfLanes lanes) : v(lanes) {}
   explicit HalfPack(Pack whole) : v(__builtin_convertvector(whole.v, HalfLanes)) {}
 
@@ -181,12 +181,12 @@ inline Pack select(Mask condition, Pack a, Pack b) {
 #endif
 }
 
-/// The larger in each lane.
-inline Pack larger(Pack a, Pack b) {
+/// a, or b in the lanes where the condition holds and b is larger.
+inline Pack raise(Pack a, Mask condition, Pack b) {
 #if defined(__AVX512F__)
-  return Pack(Lanes(_mm512_maskz_max_pd(every_lane, a.v, b.v)));
+  return Pack(Lanes(_mm512_mask_max_pd(a.v, condition.v, a.v, b.v)));
 #else
-  return select(greater(a, b), a, b);
+  return select(both(condition, greater(b, a)), b, a);
 #endif
 }
 
@@ -240,21 +240,18 @@ inline void transpose(Pack (&p)[width]) {
 #endif
 }
 
-/// Four components of `width` elements, whose rows stand anywhere, `stride` doubles apart.
-template <int stride>
+/// Four components of `width` elements, whose rows of four doubles stand anywhere.
 struct Quad {
   Pack component[4];
 
   static Quad gather(const double* rows, const std::int32_t* index) {
-    const auto row = [&](int k) { return rows + std::ptrdiff_t{stride} * index[k]; };
+    const auto row = [&](int k) { return rows + std::ptrdiff_t{4} * index[k]; };
     Quad quad;
 #if defined(__AVX512F__)
-    typedef double Half __attribute__((vector_size(4 * sizeof(double))));
     Lanes a[4];  // rows k and k + 4
     for (int k = 0; k < 4; ++k)
-      a[k] = __builtin_shufflevector(reinterpret_cast<const Half&>(*row(k)),
-                                     reinterpret_cast<const Half&>(*row(k + 4)), 0, 1, 2, 3, 4, 5,
-                                     6, 7);
+      a[k] = Lanes(_mm512_mask_broadcast_f64x4(_mm512_castpd256_pd512(_mm256_load_pd(row(k))),
+                                               upper_half, _mm256_load_pd(row(k + 4))));
     const Lanes b0 = __builtin_shufflevector(a[0], a[1], 0, 8, 2, 10, 4, 12, 6, 14);
     const Lanes b1 = __builtin_shufflevector(a[0], a[1], 1, 9, 3, 11, 5, 13, 7, 15);
     const Lanes b2 = __builtin_shufflevector(a[2], a[3], 0, 8, 2, 10, 4, 12, 6, 14);
@@ -283,8 +280,7 @@ struct Quad {
 
   void store(double* rows) const {
     for (int k = 0; k < 4; ++k)
-      for (int lane = 0; lane < width; ++lane)
-        rows[std::ptrdiff_t{stride} * lane + k] = component[k].v[lane];
+      for (int lane = 0; lane < width; ++lane) rows[4 * lane + k] = component[k].v[lane];
   }
 };
 
