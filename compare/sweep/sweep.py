@@ -40,6 +40,7 @@ class Variation:
     settings: tuple[Setting, ...]
     seeds: tuple[int, ...]
     values: dict[str, Any] = field(default_factory=dict)  #: changes that all its points share
+    removed: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -143,11 +144,13 @@ def _sweep(path: Path, table: dict[str, Any], quick: dict[str, Any]) -> Sweep:
         name = entry["name"]
         own = quick.get("seeds", entry.get("seeds", seeds))
         variations.append(Variation(name, entry.get("title", name), _settings(entry, name),
-                                    tuple(own), entry.get("set", {})))
+                                    tuple(own), entry.get("set", {}),
+                                    tuple(entry.get("remove", []))))
     points = [Point(variation.name, setting, seed,
                     changed(base, {**variation.values, **setting.values,
                                    **({} if "file" in base["specimen"] else
-                                      {"specimen.seed": seed})}, setting.removed))
+                                      {"specimen.seed": seed})},
+                            (*variation.removed, *setting.removed)))
               for variation in variations for setting in variation.settings
               for seed in variation.seeds]
     measures = tuple(Measure(entry["name"], entry["kind"], entry.get("unit", ""),
