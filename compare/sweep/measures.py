@@ -38,6 +38,14 @@ def slope(curve: Curve, lower: float, upper: float) -> float:
     return float(np.polyfit(x, y, 1)[0])
 
 
+def departure(curve: Curve, lower: float, upper: float, share: float) -> float:
+    """x from which y stays further than a share below the line that fits it between two x."""
+    part = (curve.x >= lower) & (curve.x <= upper)
+    line = np.polyval(np.polyfit(curve.x[part], curve.y[part], 1), curve.x)
+    near = np.nonzero((curve.y >= (1 - share) * line) & (curve.x > upper))[0]
+    return float(curve.x[near[-1]]) if len(near) else math.nan
+
+
 def peak(curve: Curve) -> float:
     """The largest y."""
     return float(curve.y.max())
@@ -134,8 +142,8 @@ def ripple(curve: Curve, lower: float, upper: float) -> float:
 
 
 MEASURES: dict[str, Callable[..., float]] = {
-    "slope": slope, "peak": peak, "peak_place": peak_place, "fall_place": fall_place,
-    "fall_length": fall_length, "loop_ratio": loop_ratio,
+    "slope": slope, "departure": departure, "peak": peak, "peak_place": peak_place,
+    "fall_place": fall_place, "fall_length": fall_length, "loop_ratio": loop_ratio,
     "plateau": plateau, "loop_area": loop_area, "loop_peak": loop_peak, "loop_slope": loop_slope,
     "value_at": value_at, "largest": largest, "ripple": ripple}
 

@@ -62,9 +62,12 @@ def draw(sweep: Sweep, variation: Variation, found: Sequence[Group], path: Path)
                       color=colour, lw=1.3, label=label)
     axes.axhline(0, color="#888888", lw=0.6)
     axes.set(xlabel=sweep.x.label, ylabel=sweep.y.label, title=variation.title)
+    if variation.top is not None:
+        axes.set_ylim(top=variation.top)
     axes.grid(color="#e4e4e4", lw=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(frameon=False, fontsize=9)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(frameon=False, fontsize=9)
     figure.savefig(path, dpi=110, metadata={"Software": None})
     plt.close(figure)
 

@@ -41,6 +41,7 @@ class Variation:
     seeds: tuple[int, ...]
     values: dict[str, Any] = field(default_factory=dict)  #: changes that all its points share
     removed: tuple[str, ...] = ()
+    top: float | None = None  #: of its figure
 
 
 @dataclass(frozen=True)
@@ -145,7 +146,7 @@ def _sweep(path: Path, table: dict[str, Any], quick: dict[str, Any]) -> Sweep:
         own = quick.get("seeds", entry.get("seeds", seeds))
         variations.append(Variation(name, entry.get("title", name), _settings(entry, name),
                                     tuple(own), entry.get("set", {}),
-                                    tuple(entry.get("remove", []))))
+                                    tuple(entry.get("remove", [])), entry.get("top")))
     points = [Point(variation.name, setting, seed,
                     changed(base, {**variation.values, **setting.values,
                                    **({} if "file" in base["specimen"] else

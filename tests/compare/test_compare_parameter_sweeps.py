@@ -277,6 +277,9 @@ def test_measures_of_a_curve_that_is_known():
     y = np.where(x < 0.3, 10 * x, np.where(x < 0.6, 3.0, 3 - 10 * (x - 0.6)))
     curve = Curve(time_, x, y, {"z": x * 2})
     assert measured("slope", curve, {"lower": 0.0, "upper": 0.2}) == pytest.approx(10)
+    # 5 % below 10 x: where 3 = .95 * 10 x
+    assert measured("departure", curve, {"lower": 0.0, "upper": 0.2, "share": 0.05}
+                    ) == pytest.approx(0.3 / 0.95, abs=0.002)
     assert measured("peak", curve, {}) == pytest.approx(3)
     assert measured("fall_place", curve, {"share": 0.5}) == pytest.approx(0.75)
     assert measured("fall_length", curve, {"start": 0.9, "end": 0.5}) == pytest.approx(0.12)
