@@ -99,7 +99,7 @@ const BadScene bad[] = {
      "[run]",
      with("[plasticity]\nyield_strain = 0.002"),
      "[plasticity]",
-     {"nothing moves", "[beams]"}},
+     {"there are no beams", "[beams]"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Value, BadBeams, testing::ValuesIn(bad), row_name);

@@ -37,7 +37,7 @@ const Names flowing_motion = {
 const Names pulled = {"beams", "grip left", "grip right"};
 const Names torn = united(pulled, {"rupture"});
 
-const Names attracted = {"pose", "velocity", "inverse_mass", "rest_length", "listed_place"};
+const Names attracted = {"place", "velocity", "inverse_mass", "rest_length", "listed_place"};
 const Names dissipated = united(attracted, {"carried_velocity", "dissipated_energy"});
 const Names pulled_apart = {"central forces", "grip left", "grip right"};
 
