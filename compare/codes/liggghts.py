@@ -16,8 +16,8 @@ import numpy as np
 from compare.codes.base import ROOT, Job, TwoSpheres, run_program
 from compare.codes.dump import read_dump, read_rows
 from compare.result import CodeFailure, Floats, Result
-from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, full, heat_lines,
-                                     sphere_density, write_data)
+from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, central_lines, full,
+                                     heat_lines, sphere_density, write_data)
 from contrib.yade.prepared import Beams, Parameters, PreparedError, Specimen
 
 BUILD = ROOT / "contrib" / "liggghts" / "build_prebuilt"
@@ -49,10 +49,26 @@ MOTION = {
     "removed_elements": "f_bonds[5]",
     "bonds_formed": "f_bonds[6]",
 }
+# The same under central forces.
+CENTRAL = {
+    "kinetic_energy": "c_speed",
+    "potential_energy": "c_stored",
+    "dissipated_energy": "f_solidem_central[3]",
+    "interactions": "f_solidem_central[1]",
+    "largest_interpenetration": "f_solidem_central[2]",
+    "lips": "f_damage[1]",
+    "removed": "f_damage[2]",
+}
 
 
 def _motion_columns(parameters: Parameters) -> dict[str, str]:
-    """Those of MOTION that a scene has, named as the standalone code names them."""
+    """Those of MOTION or CENTRAL that a scene has, named as the standalone code names them."""
+    if forces := parameters.central_forces:
+        damage = parameters.damage
+        absent = set() if forces.dissipation else {"dissipated_energy"}
+        absent |= set() if damage and damage.lip is not None else {"lips"}
+        absent |= set() if damage and damage.minimal_neighbours else {"removed"}
+        return {name: words for name, words in CENTRAL.items() if name not in absent}
     rupture, contact = parameters.rupture, parameters.contact
     absent = set() if parameters.plasticity else {"plastic_work"}
     absent |= set() if rupture else {"fracture_energy", "broken_bonds"}
@@ -60,6 +76,16 @@ def _motion_columns(parameters: Parameters) -> dict[str, str]:
     absent |= set() if contact else {"contact_energy"}
     absent |= set() if contact and contact.rebonding_pressure else {"bonds_formed"}
     return {name: words for name, words in MOTION.items() if name not in absent}
+
+
+def _damage_columns(parameters: Parameters) -> dict[str, tuple[str, ...]]:
+    """What frames tell of cracks, and LIGGGHTS' words for it."""
+    damage, columns = parameters.damage, {}
+    if damage and damage.lip is not None:
+        columns["lip"] = ("f_damage[1]",)
+    if damage and damage.minimal_neighbours:
+        columns["removed"] = ("f_damage[3]",)
+    return columns
 
 
 def _imposed_energy(job: Job) -> float:
@@ -74,8 +100,9 @@ def _imposed_energy(job: Job) -> float:
 
 def _history_lines(parameters: Parameters, every: int) -> str:
     """Energies, and forces of bonds on the grips, go to history.txt."""
-    lines = ("compute speed all ke\ncompute spin all erotate/sphere\n"
-             "compute stored all pe bond\n")
+    lines = "compute speed all ke\n" + (
+        "compute stored all pe pair\n" if parameters.central_forces else
+        "compute spin all erotate/sphere\ncompute stored all pe bond\n")
     columns = []
     for number, words in enumerate(_motion_columns(parameters).values()):
         lines += f"variable motion{number} equal {words}\n"
@@ -167,7 +194,7 @@ class Liggghts:
         return float(found[-1]) - (float(writing[-1]) if writing else 0.0)
 
     def run(self, job: Job, directory: Path) -> Result:
-        """Runs a job of beams, of conduction, or of both."""
+        """Runs a job of beams, of conduction, of both, or of central forces."""
         try:
             return self._run(job, directory)
         except PreparedError as error:
@@ -182,7 +209,9 @@ class Liggghts:
         write_data(directory / "specimen.data", specimen, bonds,
                    sphere_density(specimen, explained))
         script = HEAD.format(
-            boundary=" ".join("p" if p else "f" for p in specimen.periodic),
+            # Fragments under central forces fly anywhere.
+            boundary=" ".join("p" if p else "s" if parameters.central_forces else "f"
+                              for p in specimen.periodic),
             skin=0.5 * float(specimen.radius.mean()), time_step=parameters.time_step)
         script += "" if parameters.beams else "bond_style none\n"
         columns: dict[str, tuple[str, ...]] = {}
@@ -191,15 +220,21 @@ class Liggghts:
             columns["temperature"] = ("f_Temp",)
         if parameters.beams:
             script += beam_lines(specimen, parameters)
+        if parameters.central_forces:
+            script += central_lines(specimen, parameters)
+            columns |= _damage_columns(parameters)
+        if parameters.beams or parameters.central_forces:
             script += _history_lines(parameters, job.observe_every)
-            columns["position"] = ("x", "y", "z")
+            columns["position"] = (("xu", "yu", "zu") if parameters.central_forces
+                                   else ("x", "y", "z"))
         headings = [h for parts in columns.values() for h in parts]
         script += f"dump frames all custom {job.frame_every} frames.dump id {' '.join(headings)}\n"
         script += f'dump_modify frames sort id format "%d{" %.17g" * len(headings)}"\n'
         script += f"run {parameters.steps}\n"
         wall = self._execute(script, directory, job.timeout)
         frames = read_dump(directory / "frames.dump", columns, parameters.time_step, self.name)
-        return Result(self.name, len(specimen.radius), len(bonds), parameters.steps,
+        pairs = specimen.pairs if parameters.central_forces else bonds
+        return Result(self.name, len(specimen.radius), len(pairs), parameters.steps,
                       parameters.time_step, wall, self._history(job, directory), frames)
 
     def _history(self, job: Job, directory: Path) -> dict[str, Floats]:
@@ -210,7 +245,7 @@ class Liggghts:
             history = {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
             for number, name in enumerate(_heat_columns(job.parameters)):
                 history[name] = rows[:, 1 + number] + _heat_of_the_start(job, name)
-        if not job.parameters.beams:
+        if not job.parameters.beams and not job.parameters.central_forces:
             return history
         rows = read_rows(directory / "history.txt", self.name)
         history |= {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}

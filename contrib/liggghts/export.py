@@ -6,9 +6,10 @@
     solidem explain scene.toml --json > explained.json
     contrib/liggghts/export.py prepared.h5 explained.json DIRECTORY
 
-writes DIRECTORY/body.data, and DIRECTORY/beams.in (bonds, grips and motion) and DIRECTORY/heat.in, as
-the scene has beams and conduction, to be included after read_data; besides, where the scene has such,
-cells.txt (law voronoi), walls.txt (exchanges) and sources.txt (heat sources).
+writes DIRECTORY/body.data, and DIRECTORY/beams.in (bonds, grips and motion), DIRECTORY/central.in
+(central forces, grips and motion) and DIRECTORY/heat.in, as the scene has beams, central forces and
+conduction, to be included after read_data; besides, where the scene has such, cells.txt (law
+voronoi), walls.txt (exchanges) and sources.txt (heat sources).
 """
 
 from __future__ import annotations
@@ -23,9 +24,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from contrib.yade.prepared import (Beams, Contact, Floats, Grip, Integers,  # noqa: E402
-                                   Parameters, Plasticity, PreparedError, Rupture, Specimen,
-                                   parse_parameters, read_specimen)
+from contrib.yade.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # noqa: E402
+                                   Grip, Integers, Parameters, Plasticity, PreparedError, Rupture,
+                                   Specimen, parse_parameters, read_specimen)
 
 
 def full(value: float) -> str:
@@ -59,6 +60,8 @@ def write_data(path: Path, specimen: Specimen, pairs: Integers, density: Floats)
 
 def bonds_of(specimen: Specimen, parameters: Parameters) -> Integers:
     """Pairs that are bonds in LIGGGHTS: beams and conductors, which must be the same."""
+    if parameters.central_forces:
+        return np.zeros((0, 2), dtype=np.int64)
     if parameters.beams and parameters.conduction and not np.array_equal(specimen.conductors,
                                                                          specimen.pairs):
         raise PreparedError(f"{specimen.path}: beams and conduction need the same pairs in LIGGGHTS")
@@ -160,6 +163,54 @@ def _grip_lines(name: str, grip: Grip, elements: Integers) -> str:
         lines + f"fix {name}_turning {name} nve/solidem rotation_only\n")
 
 
+def pair_words(forces: CentralForces) -> str:
+    """What pair_style says of central forces, after the style's name."""
+    words = [forces.law]
+    for name, value in forces.parameters.items():
+        words += [name, full(value)]
+    words += ["range", full(forces.range)]
+    if forces.bond_tolerance is not None:
+        words += ["tolerance", full(forces.bond_tolerance)]
+    words += ["equilibrium", forces.equilibrium, "neighbours", forces.neighbours,
+              "interpenetration", full(forces.interpenetration)]
+    if forces.dissipation:
+        words += ["dissipation", full(forces.dissipation)]
+    return " ".join(words)
+
+
+def damage_words(damage: Damage) -> str:
+    """What fix solidem/damage says, after the style's name."""
+    words = [] if damage.lip is None else ["lip", full(damage.lip), "every", str(damage.every)]
+    if damage.minimal_neighbours:
+        words += ["minimal_neighbours", str(damage.minimal_neighbours),
+                  "removal_every", str(damage.removal_every)]
+    return " ".join(words)
+
+
+def central_lines(specimen: Specimen, parameters: Parameters) -> str:
+    """The commands for central forces, damage and motion. Groups and fixes of the grips are called
+    grip0 ... in the order of the scene, all other elements are the group free, the damage is the fix
+    damage."""
+    parameters.require_support()
+    forces, damage = parameters.central_forces, parameters.damage
+    if forces is None:
+        raise PreparedError(f"{specimen.path}: the scene has no [central_forces]")
+    lines = f"neighbor {full(forces.skin * float(specimen.radius.mean()))} bin\n"
+    lines += "neigh_modify delay 0 every 1 check yes once no\n"
+    lines += f"pair_style solidem/central {pair_words(forces)}\npair_coeff * *\n"
+    if damage and damage_words(damage):
+        lines += f"fix damage all solidem/damage {damage_words(damage)}\n"
+    for number, grip in enumerate(parameters.grips):
+        name, speed = f"grip{number}", " ".join("NULL" if v is None else full(v)
+                                                for v in grip.velocity)
+        lines += group_lines(name, specimen.sets[f"grip.{grip.name}"])
+        lines += f"velocity {name} set {speed} units box\n"  # dissipation sees it from the start
+        lines += f"fix {name} {name} move linear {speed} units box\n"
+    held = " ".join(f"grip{number}" for number in range(len(parameters.grips)))
+    lines += f"group free subtract all {held}\n" if held else ""
+    return lines + f"fix motion {'free' if held else 'all'} nve\n"
+
+
 def _density(explained: dict[str, Any]) -> float:
     if not isinstance(explained.get("density"), (int, float)):
         raise PreparedError(f"density is {explained.get('density')}; only one number for the whole "
@@ -242,7 +293,9 @@ def main() -> None:
         lines = {}
         if parameters.beams:
             lines["beams.in"] = beam_lines(specimen, parameters)
-        if parameters.conduction or not parameters.beams:
+        if parameters.central_forces:
+            lines["central.in"] = central_lines(specimen, parameters)
+        if parameters.conduction or not lines:
             lines["heat.in"] = heat_lines(specimen, parameters, explained, arguments.directory)
         write_data(arguments.directory / "body.data", specimen, bonds_of(specimen, parameters),
                    sphere_density(specimen, explained))

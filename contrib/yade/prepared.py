@@ -163,6 +163,7 @@ class CentralForces:
     interpenetration: float = 0.1  #: a: below (1 − a) δ_eq the force goes on along its tangent
     dissipation: float = 0.0  #: c, N s/m
     skin: float = 0.1  #: of neighbour lists, mean radii
+    bond_tolerance: float | None = None  #: initial pairs: d <= (1 + t)(R_i + R_j); None: range - 1
 
 
 @dataclass(frozen=True)

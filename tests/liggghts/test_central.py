@@ -143,7 +143,6 @@ def test_dissipation_takes_the_energy_that_is_lost(liggghts: Liggghts, tmp_path:
         rows = thermo(liggghts.run(tmp_path, script + f"run {STEPS * halves}\n"))
         energy = rows[:, 2] + rows[:, 3] + rows[:, DISSIPATED]
         assert rows[-1, DISSIPATED] > 0.1 * rows[0, 2]
-        # Half a step of the first power counts before anything has moved.
         errors.append(abs(energy[-1] - energy[0]) / rows[0, 2])
     assert errors[2] <= 5e-4
     assert errors[1] / errors[2] == pytest.approx(2, rel=0.3)

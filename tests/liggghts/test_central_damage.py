@@ -96,17 +96,20 @@ def test_opposite_lips_drag_but_do_not_pull(
 
 
 def test_lips_are_looked_for_now_and_then(liggghts: Liggghts, tmp_path: Path) -> None:
-    """Between looks what was shown stays, on any ranks and through rebuilds."""
+    """Between looks what was shown stays, on any ranks and through rebuilds and removals."""
     write(shaken_block(), tmp_path / "body.data")
     frames = []
     for ranks in (1, 4):
         script = beginning(words("piecewise") + f" range {RANGE}") + MOTION
-        script += f"fix damage all solidem/damage lip {LIP} every 40\n" + state(10, *STATE)
+        script += f"fix damage all solidem/damage lip {LIP} every 40 minimal_neighbours 6 "
+        script += "removal_every 50\n" + state(10, *STATE)
         liggghts.run(tmp_path, script + "run 100\n", ranks)
         frames.append(read_dump(tmp_path / "state.txt"))
     one, four = frames
-    assert (one[70][:, 9:] == one[40][:, 9:]).all()
-    assert (one[80][:, 9:] != one[70][:, 9:]).any()
+    shown = [9 + IS_LIP, *range(9 + SHOWN.start, 9 + SHOWN.stop)]
+    assert (one[70][:, shown] == one[40][:, shown]).all()
+    assert (one[80][:, shown] != one[70][:, shown]).any()
+    assert one[50][:, 9 + REMOVED].sum() > one[40][:, 9 + REMOVED].sum()
     assert largest_difference(one[100], four[100]) <= ROUND_OFF
     assert np.abs(one[100][:, 9:] - four[100][:, 9:]).max() <= 1e-12
 

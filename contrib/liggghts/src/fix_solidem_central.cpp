@@ -19,6 +19,7 @@
 #include "force.h"
 #include "memory.h"
 #include "pair_solidem_central.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -26,7 +27,7 @@ using namespace FixConst;
 const char* const FixSolidemCentral::ID = "solidem_central";
 
 FixSolidemCentral::FixSolidemCentral(LAMMPS* liggghts, int narg, char** arg)
-    : Fix(liggghts, narg, arg), begun(false), totals(), known(false), most_partners(0) {
+    : Fix(liggghts, narg, arg), totals(), known(false), most_partners(0), last_power(0.0) {
   if (strcmp(id, ID) != 0 || !pair())
     error->fix_error(FLERR, this, "is made by 'pair_style solidem/central', not by hand");
   vector_flag = 1;
@@ -105,6 +106,12 @@ double FixSolidemCentral::initial_distance(int i, int tag) const {
   return 0.0;
 }
 
+// A run begins with another look at the pose in which the run before ended.
+void FixSolidemCentral::dissipate(double power) {
+  if (!update->setupflag) totals.dissipated += 0.5 * (last_power + power) * update->dt;
+  last_power = power;
+}
+
 double FixSolidemCentral::compute_vector(int n) {
   double here = n == 0   ? totals.interactions
                 : n == 1 ? totals.interpenetration
@@ -115,23 +122,21 @@ double FixSolidemCentral::compute_vector(int n) {
 }
 
 void FixSolidemCentral::write_restart(FILE* fp) {
-  const double stored[5] = {static_cast<double>(known), static_cast<double>(begun),
-                            static_cast<double>(most_partners), compute_vector(1),
-                            compute_vector(2)};
+  const double stored[4] = {static_cast<double>(known), static_cast<double>(most_partners),
+                            compute_vector(1), compute_vector(2)};
   if (comm->me != 0) return;
   const int bytes = sizeof stored;
   fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(stored, sizeof(double), 5, fp);
+  fwrite(stored, sizeof(double), 4, fp);
 }
 
 void FixSolidemCentral::restart(char* buffer) {
-  double stored[5];
+  double stored[4];
   memcpy(stored, buffer, sizeof stored);
   known = stored[0] != 0.0;
-  begun = stored[1] != 0.0;
-  most_partners = static_cast<int>(stored[2]);
-  totals.interpenetration = stored[3];
-  if (comm->me == 0) totals.dissipated = stored[4];
+  most_partners = static_cast<int>(stored[1]);
+  totals.interpenetration = stored[2];
+  if (comm->me == 0) totals.dissipated = stored[3];
 }
 
 void FixSolidemCentral::grow_arrays(int nmax) {

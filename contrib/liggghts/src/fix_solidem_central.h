@@ -50,7 +50,8 @@ class FixSolidemCentral : public Fix {
   /// The initial distance of local atom i and one with this tag; 0 when they were no neighbours.
   double initial_distance(int i, int tag) const;
 
-  bool begun;  // have forces been computed before?
+  /// Adds up what is dissipated from pose to pose; of this rank, W.
+  void dissipate(double power);
   struct Totals {
     double interactions;      // at present, of this rank
     double interpenetration;  // since the start, of this rank
@@ -78,6 +79,7 @@ class FixSolidemCentral : public Fix {
   std::vector<std::vector<Partner> > partners;  // of local atoms
   bool known;
   int most_partners;  // of any atom on any rank
+  double last_power;  // W
 
   class PairSolidemCentral* pair() const;
   void reserve_buffers();

@@ -125,18 +125,18 @@ void FixSolidemDamage::pre_force(int) {
       minimal_neighbours > 0 && step % removal_every == 0 && step != last_removal && begun;
   if (neighbor->ago == 0) comm->forward_comm_fix(this);  // there are new ghosts
   if (removes) {
-    look_around();
+    look_around(false);
     remove_lonely_atoms();
     last_removal = step;
   }
-  if (!begun || step % every == 0) look_around();
+  if (!begun || step % every == 0) look_around(finds_lips());
   if (begun) return;
   for (int i = 0; i < atom->nlocal; i++) state[i][AT_START] = state[i][NEIGHBOURS];
   begun = true;
 }
 
-// Counts neighbours and finds lips.
-void FixSolidemDamage::look_around() {
+// Counts neighbours and, if so wanted, finds lips.
+void FixSolidemDamage::look_around(bool for_lips) {
   std::vector<Vector> sum(atom->nlocal);
   std::vector<double> count(atom->nlocal, 0.0);
   for (const PairSolidemCentral::Listed& listed : pair->listed()) {
@@ -151,14 +151,14 @@ void FixSolidemDamage::look_around() {
   for (int i = 0; i < atom->nlocal; i++) {
     double* mine = state[i];
     mine[NEIGHBOURS] = count[i];
-    if (!finds_lips()) continue;
+    if (!for_lips) continue;
     const Vector shown = solidem::lip_barycentre(sum[i], count[i], lip * atom->radius[i]);
     mine[SHOWN] = shown.x;
     mine[SHOWN + 1] = shown.y;
     mine[SHOWN + 2] = shown.z;
     mine[LIP] = dot(shown, shown) > 0.0;
   }
-  if (finds_lips()) comm->forward_comm_fix(this);
+  if (for_lips) comm->forward_comm_fix(this);
 }
 
 // Those that have lost neighbours and keep too few stay where they are from now on.

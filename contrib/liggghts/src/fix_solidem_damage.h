@@ -72,7 +72,7 @@ class FixSolidemDamage : public Fix {
   double** state;       // of local and ghost atoms
   class PairSolidemCentral* pair;
 
-  void look_around();
+  void look_around(bool for_lips);
   void remove_lonely_atoms();
 };
 

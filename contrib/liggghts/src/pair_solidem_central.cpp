@@ -212,16 +212,12 @@ void PairSolidemCentral::compute(int eflag, int vflag) {
   else
     evflag = vflag_fdotr = 0;
   listed();
-  // Steps that the dissipation of this pose lasts: half a one at the start, none if a run looks
-  // once more at the pose in which the run before ended.
-  const double steps = !update->setupflag ? 1.0 : memory_->begun ? 0.0 : 0.5;
-  memory_->begun = true;
   memory_->totals.interactions = 0.0;
-  std::visit([&](const auto& law) { compute_by(law, steps * update->dt); }, settings_.law);
+  std::visit([&](const auto& law) { compute_by(law); }, settings_.law);
 }
 
 template <class Law>
-void PairSolidemCentral::compute_by(const Law& law, double time) {
+void PairSolidemCentral::compute_by(const Law& law) {
   double** f = atom->f;
   double closeness = 0.0, power = 0.0;
   for (const Listed& pair : listed_) {
@@ -259,7 +255,7 @@ void PairSolidemCentral::compute_by(const Law& law, double time) {
       ev_tally(i, j, atom->nlocal, 0, energy, 0.0, over_distance, -chord[0], -chord[1], -chord[2]);
     }
   }
-  memory_->totals.dissipated += power * time;
+  memory_->dissipate(power);
   if (closeness > 0.0)
     memory_->totals.interpenetration =
         std::max(memory_->totals.interpenetration, 1.0 - 1.0 / closeness);

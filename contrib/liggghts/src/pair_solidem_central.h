@@ -83,7 +83,7 @@ class PairSolidemCentral : public Pair {
   double equilibrium(int i, int j) const;
   bool are_on_opposite_lips(int i, int j, const solidem::Vector3<double>& chord) const;
   template <class Law>
-  void compute_by(const Law& law, double time);
+  void compute_by(const Law& law);
 };
 
 }  // namespace LAMMPS_NS
