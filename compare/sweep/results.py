@@ -110,6 +110,12 @@ def judge(sweep: Sweep, check: Check, found: Sequence[Group]) -> Verdict:
     spread = (max(means) - min(means)) / abs(statistics.fmean(means))
     if check.expects == "moves":
         return Verdict(check, spread > least, f"{words}: over {100 * spread:.3g} %")
+    if check.expects == "hardly goes":
+        # The exponent of the power of the parameter that the measure goes with.
+        first, last = options["of"][0], options["of"][-1]
+        power = (math.log(max(means) / min(means))) / abs(math.log(last / first))
+        return Verdict(check, power <= options["power"],
+                       f"{words}: power {power:.2g} (at most {options['power']:g})")
     if check.expects == "stays":
         within = float(options["within"])
         return Verdict(check, len(means) > 1 and spread <= within,

@@ -233,6 +233,29 @@ def test_a_check_that_does_not_hold_fails_the_sweep(place, capsys):
     assert "NOT" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(("check", "holds"), [
+    ('expects = "rises"', True), ('expects = "falls"', False),
+    ('expects = "moves"\noptions = { least = 0.5 }', True),
+    ('expects = "moves"\noptions = { least = 5.0 }', False),
+    ('expects = "stays"\noptions = { within = 0.1 }', False),
+    ('expects = "above"\noptions = { lower = 79.0 }', True),
+    ('expects = "above"\noptions = { lower = 81.0 }', False),
+    ('expects = "between"\noptions = { lower = 79.0, upper = 321.0 }', True),
+    ('expects = "between"\noptions = { lower = 79.0, upper = 319.0 }', False),
+    ('expects = "printed"\noptions = { lower = 1.0, upper = 2.0 }', True),
+    # The peak goes with the first power of the stiffness.
+    ('expects = "hardly goes"\noptions = { of = [1, 4], power = 1.01 }', True),
+    ('expects = "hardly goes"\noptions = { of = [1, 4], power = 0.99 }', False),
+    ('expects = "same curve"\noptions = { until = 0.3, within = 1e-9 }', False),
+    ('expects = "scatters less"\noptions = { than = "snap" }', False),
+    ('expects = "falls over"\noptions = { setting = "K = 4.0", then = ["snap"] }', True),
+])
+def test_checks_hold_or_do_not(place, check, holds):
+    text = SWEEP[:SWEEP.index("[[check]]")]
+    place.sweep(text + f'[[check]]\nvary = "stiffness"\nmeasure = "peak"\nreason = ""\n{check}\n')
+    assert place("--quick") == (0 if holds else 1)
+
+
 @pytest.mark.parametrize(("old", "new", "told"), [
     ('kind = "peak"', 'kind = "paek"', "unknown kind 'paek'"),
     ('vary = "limit"', 'vary = "limits"', "limits"),
