@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Measures ns per bond-step of every code on one core, on the same specimen.
 
-    /usr/bin/python3 -m benchmarks.speed [--repetitions 5] [--output results/speed]
+    /usr/bin/python3 -m benchmarks.speed [EFFECT ...] [--repetitions 5] [--output results/speed]
 
 A repetition runs the codes in turn, so that a machine that is slow for a while is slow for all of them;
 the table shows medians and, for each code, the median of its ratio to the standalone program within a
@@ -20,6 +20,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compare.codes.base import Code, Job
+from compare.codes.lammps import Lammps
 from compare.codes.liggghts import Liggghts
 from compare.codes.standalone import Standalone
 from compare.codes.yade import Yade
@@ -28,12 +29,18 @@ from contrib.yade.prepared import parse_parameters, read_specimen
 
 HERE = Path(__file__).resolve().parent
 
-#: Steps of one measurement: enough to see, few enough to repeat.
+#: Steps of one measurement: enough to see, few enough to repeat. Codes that are not named have no
+#: such scene.
 STEPS = {"beams": {"standalone": 2000, "liggghts": 200, "yade": 40},
-         "conduction": {"standalone": 10000, "liggghts": 1000, "yade": 300}}
+         "conduction": {"standalone": 10000, "liggghts": 1000, "yade": 300},
+         "central_fixed": {"standalone": 4000},
+         "central_changing": {"standalone": 4000, "liggghts": 400, "yade": 20},
+         "central_crystal": {"standalone": 4000, "liggghts": 400, "lammps nm/cut": 400,
+                             "lammps mie/cut": 400}}
 
 #: Targets of the standalone program, ns per bond-step.
-TARGETS = {"beams": 25.0, "conduction": 2.0}
+TARGETS = {"beams": 25.0, "conduction": 2.0, "central_fixed": 5.0, "central_changing": 8.0,
+           "central_crystal": 8.0}
 
 
 @dataclass(frozen=True)
@@ -82,23 +89,25 @@ def _explained(job: Job, steps: int, folder: Path) -> Path:
 def measure(effect: str, repetitions: int, folder: Path) -> tuple[list[Measurement], list[str]]:
     """All runs of one effect, and what failed."""
     standalone = Standalone()
-    codes: list[Code] = [standalone, Liggghts(), Yade()]
-    failures = [f"{c.name}: {reason}" for c in codes if (reason := c.missing())]
-    codes = [c for c in codes if not any(f.startswith(f"{c.name}:") for f in failures)]
+    known: dict[str, Code] = {"standalone": standalone, "liggghts": Liggghts(), "yade": Yade(),
+                              "lammps nm/cut": Lammps(style="nm/cut"), "lammps mie/cut": Lammps(style="mie/cut")}
+    codes = {name: known[name] for name in STEPS[effect]}
+    failures = [f"{name}: {reason}" for name, c in codes.items() if (reason := c.missing())]
+    codes = {name: c for name, c in codes.items() if not c.missing()}
     job = prepare(effect, standalone, folder / effect)
     found = []
     for repetition in range(repetitions):
-        for code in codes:
-            here = folder / effect / f"{code.name}_{repetition}"
+        for name, code in codes.items():
+            here = folder / effect / f"{name.replace('/', '_').replace(' ', '_')}_{repetition}"
             try:
-                short = with_steps(job, STEPS[effect][code.name], here)
+                short = with_steps(job, STEPS[effect][name], here)
                 result = code.run(short, here).check()
             except CodeFailure as failure:
-                failures.append(f"{effect}, {code.name}: {failure}")
+                failures.append(f"{effect}, {name}: {failure}")
                 continue
-            found.append(Measurement(effect, code.name, repetition, result.elements, result.bonds,
+            found.append(Measurement(effect, name, repetition, result.elements, result.bonds,
                                      result.steps, result.nanoseconds_per_bond_step))
-            print(f"{effect:<11} {code.name:<11} {found[-1].nanoseconds:8.2f} ns per bond-step",
+            print(f"{effect:<16} {name:<14} {found[-1].nanoseconds:8.2f} ns per bond-step",
                   flush=True)
     return found, failures
 
@@ -125,13 +134,16 @@ def main() -> int:
     """Measures, prints the table, writes speed.csv and speed.md; 1 when a code failed."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--repetitions", type=int, default=5)
+    parser.add_argument("effects", nargs="*", metavar="EFFECT", help=", ".join(STEPS))
     parser.add_argument("--output", type=Path, default=Path("results/speed"))
     options = parser.parse_args()
+    if unknown := [e for e in options.effects if e not in STEPS]:
+        parser.error(f"unknown effect {unknown[0]!r}; known: {', '.join(STEPS)}")
     output = options.output.resolve()
     output.mkdir(parents=True, exist_ok=True)
     measurements: list[Measurement] = []
     failures: list[str] = []
-    for effect in STEPS:
+    for effect in options.effects or STEPS:
         found, failed = measure(effect, options.repetitions, output)
         measurements += found
         failures += failed
