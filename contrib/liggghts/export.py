@@ -195,7 +195,9 @@ def central_lines(specimen: Specimen, parameters: Parameters) -> str:
     forces, damage = parameters.central_forces, parameters.damage
     if forces is None:
         raise PreparedError(f"{specimen.path}: the scene has no [central_forces]")
-    lines = f"neighbor {full(forces.skin * float(specimen.radius.mean()))} bin\n"
+    # Bins do not work in a box that is small beside them.
+    search = "bin" if len(specimen.radius) > 100 else "nsq"
+    lines = f"neighbor {full(forces.skin * float(specimen.radius.mean()))} {search}\n"
     lines += "neigh_modify delay 0 every 1 check yes once no\n"
     lines += f"pair_style solidem/central {pair_words(forces)}\npair_coeff * *\n"
     if damage and damage_words(damage):

@@ -76,7 +76,8 @@ def test_the_worst_of_a_group_counts() -> None:
 
 @pytest.mark.parametrize("tested, other, said", [
     (path(1.2), path(1.2), "the path went from 1 to 1.2"),
-    (path(1.4), path(1.4, rows=100), "different ways"),
+    (path(1.4), path(1.4, rows=100), "no row for each"),
+    (path(1.4, rows=100), path(1.4), "different ways"),
     (path(1.4), path(1.39), "different ways"),
 ])
 def test_paths_that_show_nothing_fail(tested: Result, other: Result, said: str) -> None:
