@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 import pytest
 
+import central_body
 from heat_network import CONDUCTIVITY, DENSITY, SPECIFIC_HEAT, STEP, Network, network
 from liggghts_runs import CONTRIB, HEADER, Liggghts, dump, read_dump, simple_cubic, thermo
 
@@ -248,3 +249,62 @@ def test_beams_that_cannot_be_exported_are_told(
     assert done.returncode != 0
     assert message in done.stderr
     assert not (tmp_path / "out" / "beams.in").exists()
+
+
+GRIPS = [
+    {"name": "left end", "rotation": "free",
+     "axes": [{"kind": "velocity", "function": {"time": [0.0], "value": [0.0]}}] * 3},
+    {"name": "right", "rotation": "free",
+     "axes": [{"kind": "velocity", "function": {"time": [0.0], "value": [4.0]}},
+              {"kind": "free"}, {"kind": "free"}]},
+]
+CENTRAL: dict[str, Any] = {
+    "time_step": {"value": 5e-8},
+    "steps": STEPS,
+    "density": DENSITY,
+    "laws": {
+        "central_forces": {
+            "law": "mie", "parameters": central_body.LAWS["mie"], "range": 1.3,
+            "equilibrium": "initial", "neighbours": "changing", "interpenetration": 0.2,
+            "dissipation": 0.1, "skin": 0.2, "bond_tolerance": 0.1,
+        },
+        "damage": {"lip": 0.4, "every": 3, "minimal_neighbours": 2, "removal_every": 20},
+    },
+    "grips": GRIPS,
+}
+
+
+def test_exported_central_forces_do_as_the_same_by_hand(
+    liggghts: Liggghts, tmp_path: Path
+) -> None:
+    """Masses that the specimen tells, grips that dissipation sees from the start."""
+    body = central_body.shaken_block((6, 3, 3))
+    body.velocity = None
+    left, right = (np.flatnonzero(body.position[:, 0] * side < side * bound)
+                   for side, bound in ((1, 0.5e-3), (-1, 7.5e-3)))
+    assert len(left) > 5 and len(right) > 5
+    with h5py.File(tmp_path / "prepared.h5", "w") as file:
+        file["elements/position"], file["elements/radius"] = body.position, body.radius
+        file["mechanics/mass"] = 2 * DENSITY * 4 / 3 * np.pi * body.radius**3
+        file["sets/grip.left end"], file["sets/grip.right"] = left.astype("i4"), right.astype("i4")
+    (tmp_path / "explained.json").write_text(json.dumps(CENTRAL))
+    done = export(tmp_path)
+    assert done.returncode == 0, done.stderr
+    end = "timestep 5e-8\n" + central_body.state(STEPS, "f_damage[1]") + f"run {STEPS}\n"
+    begin = HEADER + "boundary s s s\nnewton on\nread_data body.data\npair_style none\n"
+    script = begin + "bond_style none\ninclude central.in\n"
+    found = central_body.last_state(liggghts, tmp_path / "out", script + end)
+
+    body.density = 2 * DENSITY
+    central_body.write(body, tmp_path / "body.data")
+    law = central_body.words("mie") + " range 1.3 tolerance 0.1 interpenetration 0.2 dissipation 0.1"
+    script = central_body.beginning(law, "s s s", skin=0.2 * float(body.radius.mean()))
+    for name, held, speed in (("left", left, "0 0 0"), ("right", right, "4 NULL NULL")):
+        script += f"group {name} id {' '.join(map(str, held + 1))}\n"
+        script += f"velocity {name} set {speed}\nfix {name} {name} move linear {speed}\n"
+    script += "group free subtract all left right\nfix motion free nve\n"
+    script += "fix damage all solidem/damage lip 0.4 every 3 minimal_neighbours 2 removal_every 20\n"
+    expected = central_body.last_state(liggghts, tmp_path, script + end)
+    assert np.abs(expected[:, 6:9]).max() > 1 and expected[:, 9].sum() > 5
+    assert central_body.largest_difference(expected, found) <= 1e-12
+    assert (expected[:, 9] == found[:, 9]).all()
