@@ -8,6 +8,7 @@
 #include "laws/rigid_sphere.hpp"
 #include "output/hdf5.hpp"
 #include "specimen/bonds.hpp"
+#include "specimen/ordering.hpp"
 #include "specimen/report.hpp"
 #include "specimen/specimen_file.hpp"
 
@@ -19,6 +20,8 @@ Specimen make_body(const Scene& scene, const ReportProgress& progress) {
   if (scene.setup.central_forces) {
     // The neighbours at the start; in a small cell there may be several images of one.
     make_bonds(specimen, scene.setup.central_forces->bond_tolerance, BondImages::several);
+    // There are more of them than contacts, and blocks are full where numbers of them are alike.
+    if (!from_file) sort_elements(specimen);
   } else if (scene.bond_tolerance) {
     if (specimen.bond_tolerance != *scene.bond_tolerance)
       make_bonds(specimen, *scene.bond_tolerance);
