@@ -122,7 +122,7 @@ void CentralForces::fill_slots() {
     for (std::size_t i = 0; i < position.size(); ++i)
       position[i] = lanes_vector(listed, Model::at(columns::listed_place, i));
     found = find_neighbours(specimen.domain, position, specimen.radius, parameters_.range, skin_,
-                            absent_);
+                            absent_, kernels().pick_near);
   }
   const Neighbourhood& lists = change(parameters_) ? found : initial_;
   model_.replace_slots(Slots(lists.first, lists.neighbour, initial_.neighbour.size() / 2));
@@ -408,22 +408,24 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   const std::size_t count = model.slots().padded_elements(), blocks = model.slots().blocks();
   ObservedMotion& motion = observation.motion;
   motion.force.assign(count, {});
-  std::vector<double> energy(blocks, 0.0), pairs(blocks, 0.0);
+  // Of each element, so that the sums do not depend on where empty slots stand.
+  std::vector<double> energy(count, 0.0), pairs(count, 0.0);
   for_blocks(blocks, 40, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
-      model.slots().for_each_in(block, [&](std::int32_t i, std::int32_t j, std::size_t row,
-                                           int lane) {
-        const auto pair = acting(model, i, j, row, lane);
-        if (!pair) return;
-        motion.force[static_cast<std::size_t>(i)] += (-pair->push / pair->distance) * pair->chord;
-        energy[block] += 0.5 * pair->potential;
-        pairs[block] += 0.5;
-      });
+      model.slots().for_each_in(block,
+                                [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+                                  const auto pair = acting(model, i, j, row, lane);
+                                  if (!pair) return;
+                                  const auto own = static_cast<std::size_t>(i);
+                                  motion.force[own] += (-pair->push / pair->distance) * pair->chord;
+                                  energy[own] += 0.5 * pair->potential;
+                                  pairs[own] += 0.5;
+                                });
   });
   double interactions = 0;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    motion.elastic_energy += energy[block];
-    interactions += pairs[block];
+  for (std::size_t i = 0; i < count; ++i) {
+    motion.elastic_energy += energy[i];
+    interactions += pairs[i];
   }
   if (parameters_.dissipation) {
     const double* dissipated = model.data(columns::dissipated_energy);

@@ -9,6 +9,11 @@ namespace {
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
+/// Elements that were removed stand still, whatever a grip does.
+bool is_present(const Model& model, std::int32_t element) {
+  return model.data(columns::inverse_mass)[element] > 0;
+}
+
 }  // namespace
 
 Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
@@ -18,7 +23,6 @@ Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
     const auto i = static_cast<std::size_t>(e);
     rest_.push_back(model.specimen().position[i]);
     mass_.push_back(mass[i]);
-    total_mass_ += mass[i];
     double* velocity = model.data(columns::velocity);
     for (int axis = 0; axis < 3; ++axis)
       if (imposed(axis)) velocity[Model::at(columns::velocity, i, axis)] = 0;
@@ -48,6 +52,13 @@ double Grip::imposed_velocity(int axis, double time) const {
                                                      : control.function.rate(time);
 }
 
+double Grip::present_mass(const Model& model) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < elements_.size(); ++k)
+    if (is_present(model, elements_[k])) sum += mass_[k];
+  return sum;
+}
+
 void Grip::advance(Model& model, const Step& step) {
   double* velocity = model.data(columns::velocity);
   const auto places = model.places(), next = model.next_places();
@@ -61,6 +72,7 @@ void Grip::advance(Model& model, const Step& step) {
       const double moved = place - imposed_displacement(axis, step.time);
       double bond_force = 0;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
+        if (!is_present(model, elements_[k])) continue;
         const auto i = static_cast<std::size_t>(elements_[k]);
         double& v = velocity[Model::at(columns::velocity, i, axis)];
         bond_force += v * mass_[k];
@@ -73,16 +85,17 @@ void Grip::advance(Model& model, const Step& step) {
       work_ -= bond_force / step.kick * 0.5 * (last + moved);
       last = moved;
     } else if (control.kind == AxisControl::Kind::force) {
-      const double force = control.function(step.time);
-      const double gain = force / total_mass_ * step.kick;
+      const double force = control.function(step.time), total_mass = present_mass(model);
+      const double gain = force / total_mass * step.kick;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
+        if (!is_present(model, elements_[k])) continue;
         const auto i = static_cast<std::size_t>(elements_[k]);
         velocity[Model::at(columns::velocity, i, axis)] += gain;
         next[i][axis] += gain * step.time_step;
         if (carried != nullptr) carried[4 * i + static_cast<std::size_t>(axis)] += gain;
         // The force at either end of a step works over half of it.
         const double mean_force = 0.5 * (force + control.function(after));
-        work_ += mean_force * mass_[k] / total_mass_ * (next[i][axis] - places[i][axis]);
+        work_ += mean_force * mass_[k] / total_mass * (next[i][axis] - places[i][axis]);
       }
     }
   }
@@ -125,8 +138,10 @@ void Grip::observe(const Model& model, Observation& observation) const {
 void Grip::correct_motion(const Model& model, const Vector& grip_force,
                           Observation& observation) const {
   const bool held = parameters_.rotation_fixed && model.has(columns::angular_velocity);
+  const double total_mass = present_mass(model);
   double& energy = observation.motion.kinetic_energy;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
+    if (!is_present(model, elements_[k])) continue;
     const auto i = static_cast<std::size_t>(elements_[k]);
     for (int axis = 0; axis < 3; ++axis) {
       double& v = component(observation.motion.velocity[i], axis);
@@ -134,7 +149,7 @@ void Grip::correct_motion(const Model& model, const Vector& grip_force,
       if (imposed(axis)) {
         v = imposed_velocity(axis, observation.time);
       } else {
-        v += component(grip_force, axis) / total_mass_ * observation.behind;
+        v += component(grip_force, axis) / total_mass * observation.behind;
         energy += 0.5 * mass_[k] * v * v;
       }
     }

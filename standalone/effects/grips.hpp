@@ -19,7 +19,7 @@ namespace solidem {
 /// stays zero: its motion belongs to the grip, and its kinetic energy is not counted.
 ///
 /// Work is summed with the trapezoidal rule on bond force and imposed displacement; a force applied
-/// to free elements works along their own path.
+/// to free elements works along their own path. Elements that were removed are let go.
 class Grip : public Effect {
  public:
   /// `mass` per element of the specimen, kg.
@@ -43,6 +43,8 @@ class Grip : public Effect {
 
  private:
   double imposed_velocity(int axis, double time) const;
+  /// Of the elements that were not removed, kg: they share a force.
+  double present_mass(const Model& model) const;
   /// Corrects the observed velocities of the gripped elements, and the kinetic energy.
   void correct_motion(const Model& model, const Vector& grip_force, Observation& observation) const;
 
@@ -50,8 +52,7 @@ class Grip : public Effect {
   std::vector<std::int32_t> elements_;
   std::vector<Vector> rest_;  ///< where the elements stood at the start
   std::vector<double> mass_;  ///< of the elements
-  double total_mass_ = 0;
-  double work_ = 0;  ///< done up to the last step, but for its second half
+  double work_ = 0;           ///< done up to the last step, but for its second half
   std::array<double, 3> last_displacement_{};  ///< of the last step, along imposed axes
 };
 

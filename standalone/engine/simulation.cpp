@@ -157,7 +157,8 @@ void Simulation::add_motion(const std::vector<double>& density) {
         select_some(selections_, "grip." + grip.name, grip.region, model_.specimen());
     claim(gripped, elements, "[[grips]]", grip.name, model_.specimen());
     auto made = std::make_unique<Grip>(grip, std::move(elements), mass, model_);
-    if (made->imposed(0) || made->imposed(1) || made->imposed(2))
+    const auto acts = [](const AxisControl& axis) { return axis.kind != AxisControl::Kind::free; };
+    if (std::any_of(grip.axis.begin(), grip.axis.end(), acts))
       mechanics_->expect_driven(made->elements());
     effects_.push_back(std::move(made));
   }

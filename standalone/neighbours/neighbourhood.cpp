@@ -42,13 +42,12 @@ CellBox box_around(const Domain& domain, const std::vector<Vector>& position, do
   return box;
 }
 
-struct Found {
-  std::int32_t neighbour;
-  Image image;
-  friend bool operator<(const Found& a, const Found& b) {
-    return a.neighbour != b.neighbour ? a.neighbour < b.neighbour : a.image < b.image;
-  }
-};
+/// A neighbour and its image in one number, by which they are sorted.
+using Found = std::uint64_t;
+
+Found found_of(std::int32_t neighbour, Image image) {
+  return static_cast<Found>(neighbour) << 32 | image.code();
+}
 
 /// The neighbours of some elements, one after the other.
 struct Run {
@@ -69,10 +68,11 @@ struct Candidates {
     cells.find_ranges_around(cell, ranges);
     std::size_t count = 0;
     for (const LinkedCells::Range& range : ranges) count += range.last - range.first;
-    if (count > x.size())
-      for (auto* column : {&x, &y, &z, &reach}) column->resize(count);
+    const std::size_t room = count + 8;
+    if (room > x.size())
+      for (auto* column : {&x, &y, &z, &reach}) column->resize(room);
     element.resize(count);
-    near.resize(count);
+    near.resize(room);
     if (periodic) image.resize(count);
     std::size_t to = 0;
     for (const LinkedCells::Range& range : ranges) {
@@ -89,20 +89,12 @@ struct Candidates {
         if (periodic) image[to] = range.periods;
       }
     }
+    constexpr double nowhere = 1e200;
+    std::fill(x.begin() + static_cast<std::ptrdiff_t>(count),
+              x.begin() + static_cast<std::ptrdiff_t>(room), nowhere);
   }
 
-  /// How many stand within reach of a place, their numbers in `near`; without a branch, as a
-  /// branch would be mistaken for one in ten.
-  std::size_t pick(const Vector& place, double own_reach) {
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < element.size(); ++k) {
-      const double dx = x[k] - place.x, dy = y[k] - place.y, dz = z[k] - place.z;
-      const double limit = own_reach + reach[k];
-      near[count] = static_cast<std::uint32_t>(k);
-      count += dx * dx + dy * dy + dz * dz <= limit * limit ? 1 : 0;
-    }
-    return count;
-  }
+  NearPlaces places() const { return {x.data(), y.data(), z.data(), reach.data(), element.size()}; }
 };
 
 /// Periods by which an element stands away from its image in the box.
@@ -118,6 +110,19 @@ std::array<int, 3> periods_away(const Domain& domain, const Vector& position) {
 
 }  // namespace
 
+std::size_t pick_near_places(const NearPlaces& places, double x, double y, double z, double reach,
+                             std::uint32_t* near) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < places.count; ++k) {
+    const double dx = places.x[k] - x, dy = places.y[k] - y, dz = places.z[k] - z;
+    const double limit = places.reach[k] + reach;
+    // Without a branch, which would be mistaken for one in ten.
+    near[count] = static_cast<std::uint32_t>(k);
+    count += dx * dx + dy * dy + dz * dz <= limit * limit ? 1 : 0;
+  }
+  return count;
+}
+
 Vector image_shift(const Domain& domain, Image image) {
   Vector shift{};
   for (int axis = 0; axis < 3; ++axis)
@@ -128,7 +133,7 @@ Vector image_shift(const Domain& domain, Image image) {
 
 Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& position,
                               const std::vector<double>& radius, double factor, double margin,
-                              const std::vector<char>& absent) {
+                              const std::vector<char>& absent, PickNear pick) {
   Neighbourhood result;
   const std::size_t count = position.size();
   result.first.assign(count + 1, 0);
@@ -154,11 +159,13 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
     for (std::size_t cell = begin; cell < end; ++cell) {
       if (cells.first_of(cell) == cells.first_of(cell + 1)) continue;
       candidates.gather(cells, cell, radius, factor, margin, periodic);
+      const NearPlaces places = candidates.places();
       for (std::size_t r = cells.first_of(cell); r < cells.first_of(cell + 1); ++r) {
         const LinkedCells::Resident& own = cells.resident(r);
         const auto i = static_cast<std::size_t>(own.element);
         if (!absent.empty() && absent[i] != 0) continue;
-        const std::size_t near = candidates.pick(own.position, factor * radius[i]);
+        const std::size_t near = pick(places, own.position.x, own.position.y, own.position.z,
+                                      factor * radius[i], candidates.near.data());
         const std::array<int, 3> away =
             periodic ? periods_away(domain, position[i]) : std::array<int, 3>{};
         const std::size_t began = run.found.size();
@@ -173,7 +180,7 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
             image = Image(moved[0] - there[0] + away[0], moved[1] - there[1] + away[1],
                           moved[2] - there[2] + away[2]);
           }
-          run.found.push_back({candidates.element[c], image});
+          run.found.push_back(found_of(candidates.element[c], image));
         }
         if (run.found.size() == began) continue;
         std::sort(run.found.begin() + static_cast<std::ptrdiff_t>(began), run.found.end());
@@ -196,8 +203,9 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
     for (const auto& entry : run.elements) {
       std::size_t to = result.first[static_cast<std::size_t>(entry.first)];
       for (std::uint32_t k = 0; k < entry.second; ++k, ++from, ++to) {
-        result.neighbour[to] = run.found[from].neighbour;
-        if (periodic) result.image[to] = run.found[from].image;
+        result.neighbour[to] = static_cast<std::int32_t>(run.found[from] >> 32);
+        if (periodic)
+          result.image[to] = Image::of_code(static_cast<std::uint32_t>(run.found[from]));
       }
     }
   }

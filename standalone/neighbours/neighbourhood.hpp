@@ -5,6 +5,7 @@
 #ifndef SOLIDEM_NEIGHBOURS_NEIGHBOURHOOD_HPP
 #define SOLIDEM_NEIGHBOURS_NEIGHBOURHOOD_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,13 @@ class Image {
   Image() = default;
   Image(int x, int y, int z) : code_(((x + 128) << 16) | ((y + 128) << 8) | (z + 128)) {}
   int periods(int axis) const { return ((code_ >> (8 * (2 - axis))) & 255) - 128; }
+  /// Images go in this order.
+  std::uint32_t code() const { return static_cast<std::uint32_t>(code_); }
+  static Image of_code(std::uint32_t code) {
+    Image image;
+    image.code_ = static_cast<std::int32_t>(code);
+    return image;
+  }
   friend bool operator==(Image a, Image b) { return a.code_ == b.code_; }
   friend bool operator<(Image a, Image b) { return a.code_ < b.code_; }
 
@@ -37,13 +45,31 @@ struct Neighbourhood {
   std::vector<Image> image;  ///< empty where nothing is periodic
 };
 
+/// Places to choose from, m, and how far each reaches. Room beyond `count` up to a multiple of 8 is
+/// there, with places that are near nothing.
+struct NearPlaces {
+  const double *x, *y, *z, *reach;
+  std::size_t count;
+};
+
+/// Writes the numbers of the places within the sum of both reaches of x, y, z, in ascending order;
+/// returns how many. `near` has room for `count` and 8 more.
+using PickNear = std::size_t (*)(const NearPlaces& places, double x, double y, double z,
+                                 double reach, std::uint32_t* near);
+
+/// The plain way.
+std::size_t pick_near_places(const NearPlaces& places, double x, double y, double z, double reach,
+                             std::uint32_t* near);
+
 /// All j, and images of them, with |x_j + shift − x_i| ≤ factor (R_i + R_j) + margin, j ≠ i; the
 /// same on any number of threads. Several images of a neighbour count where a period is short; an
 /// element is no neighbour of its own images, whose forces on it cancel. Elements marked as absent
-/// neither have nor are neighbours. `absent` is empty or has one entry per element.
+/// neither have nor are neighbours. `absent` is empty or has one entry per element. `pick`: a
+/// faster way than the plain one.
 Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& position,
                               const std::vector<double>& radius, double factor, double margin,
-                              const std::vector<char>& absent = {});
+                              const std::vector<char>& absent = {},
+                              PickNear pick = pick_near_places);
 
 }  // namespace solidem
 

@@ -6,6 +6,7 @@
 #include "effects/kernels/beam_motion.hpp"
 #include "effects/kernels/central_motion.hpp"
 #include "effects/kernels/heat_flow.hpp"
+#include "effects/kernels/near.hpp"
 
 #define SOLIDEM_TEXT_(x) #x
 #define SOLIDEM_TEXT(x) SOLIDEM_TEXT_(x)
@@ -17,6 +18,7 @@ const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET),
                       move_beams_by_kind,
                       move_by_central_forces,
                       find_crack_lips,
+                      pick_near,
                       conduct,
                       conducted_power_by_kind};
 

@@ -12,6 +12,7 @@
 #include "laws/beam_plasticity.hpp"
 #include "laws/beam_rupture.hpp"
 #include "laws/central_laws.hpp"
+#include "neighbours/neighbourhood.hpp"
 
 namespace solidem {
 
@@ -134,6 +135,8 @@ struct Kernels {
   void (*move_by_central_forces)(CentralMotion&, std::size_t first, std::size_t last);
   /// What every element shows of the cracks about it: laws/crack_lip.hpp.
   void (*find_crack_lips)(const CentralMotion&, std::size_t first, std::size_t last);
+  /// Which of some places are near; given to find_neighbours.
+  PickNear pick_near;
   /// Explicit Euler step of the temperatures.
   void (*conduct)(const HeatFlow&, std::size_t first, std::size_t last);
   /// Power conducted into each element.

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "laws/algebra.hpp"
 
@@ -44,6 +45,12 @@ struct Pack {
 
   static Pack load(const double* from) { return Pack(*reinterpret_cast<const Lanes*>(from)); }
   void store(double* to) const { *reinterpret_cast<Lanes*>(to) = v; }
+  /// The same of an address that is no multiple of the width.
+  static Pack load_anywhere(const double* from) {
+    Pack pack;
+    std::memcpy(&pack.v, from, sizeof pack.v);
+    return pack;
+  }
 
   friend Pack operator+(Pack a, Pack b) { return Pack(a.v + b.v); }
   friend Pack operator-(Pack a, Pack b) { return Pack(a.v - b.v); }
