@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a sweep leaves behind: tables (Markdown, CSV), verdicts and one figure a variation."""
+"""What a sweep leaves behind: tables (Markdown, CSV), verdicts and a figure, a panel for each variation."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.axes import Axes  # noqa: E402
 
 from compare.sweep.results import Group, Reading, Verdict, table  # noqa: E402
 from compare.sweep.sweep import Sweep, Variation  # noqa: E402
@@ -43,10 +44,7 @@ def verdict_rows(sweep: Sweep, verdicts: Sequence[Verdict]) -> list[list[str]]:
     return rows
 
 
-def draw(sweep: Sweep, variation: Variation, found: Sequence[Group], path: Path) -> None:
-    """The curves of one variation; specimens of one setting share a colour unless they are all
-    that varies."""
-    figure, axes = plt.subplots(figsize=(7.2, 4.6), layout="constrained")
+def _draw_on(axes: Axes, sweep: Sweep, variation: Variation, found: Sequence[Group]) -> None:
     for band in sweep.bands:
         if band.get("vary", variation.name) == variation.name:
             axes.axvspan(band["from"], band["to"], color="#bbbbbb", alpha=0.4, lw=0,
@@ -59,7 +57,7 @@ def draw(sweep: Sweep, variation: Variation, found: Sequence[Group], path: Path)
             label = (f"specimen {reading.outcome.point.seed}" if alone else
                      group.setting.label if k == 0 else None)
             axes.plot(reading.curve.x / sweep.x.scale, reading.curve.y / sweep.y.scale,
-                      color=colour, lw=1.3, label=label)
+                      color=colour, lw=1.2, label=label)
     axes.axhline(0, color="#888888", lw=0.6)
     axes.set(xlabel=sweep.x.label, ylabel=sweep.y.label, title=variation.title)
     if variation.top is not None:
@@ -68,7 +66,21 @@ def draw(sweep: Sweep, variation: Variation, found: Sequence[Group], path: Path)
     axes.spines[["top", "right"]].set_visible(False)
     if axes.get_legend_handles_labels()[0]:
         axes.legend(frameon=False, fontsize=9)
-    figure.savefig(path, dpi=110, metadata={"Software": None})
+
+
+def draw(sweep: Sweep, found: Sequence[Group], path: Path) -> None:
+    """The curves, a panel for each variation; specimens of one setting share a colour unless they
+    are all that varies."""
+    count = len(sweep.variations)
+    columns = 1 if count == 1 else 2
+    rows = (count + columns - 1) // columns
+    figure, panels = plt.subplots(rows, columns, figsize=(7.2 if columns == 1 else 11, 4.2 * rows),
+                                  layout="constrained", squeeze=False)
+    for axes in panels.ravel()[count:]:
+        axes.set_visible(False)
+    for axes, variation in zip(panels.ravel(), sweep.variations):
+        _draw_on(axes, sweep, variation, found)
+    figure.savefig(path, dpi=100, metadata={"Software": None})
     plt.close(figure)
 
 
@@ -87,9 +99,6 @@ def write(sweep: Sweep, found: Sequence[Group], verdicts: Sequence[Verdict],
             point = reading.outcome.point
             writer.writerow([point.variation, point.setting.label, point.seed,
                              *(reading.values[m.name] for m in sweep.measures)])
-    written = [page, points]
-    for variation in sweep.variations:
-        path = directory / f"{sweep.name}_{variation.name}.png"
-        draw(sweep, variation, found, path)
-        written.append(path)
-    return written
+    picture = directory / f"{sweep.name}.png"
+    draw(sweep, found, picture)
+    return [page, points, picture]

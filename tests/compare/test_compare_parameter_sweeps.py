@@ -170,8 +170,7 @@ def test_points_share_bodies_and_runs_and_are_measured(place, capsys):
     assert float(rows["limit", "none", "3"]["snap"]) == pytest.approx(0.305)
     table = (place.folder / "out" / "springs" / "table.md").read_text(encoding="utf-8")
     assert "| K = 4.0 | 2 | 320 (240–400) |" in table and "stiffer springs" in table
-    for name in ("stiffness", "limit"):
-        assert (place.folder / "out" / "springs" / f"springs_{name}.png").stat().st_size > 1000
+    assert (place.folder / "out" / "springs" / "springs.png").stat().st_size > 10000
     assert "K = 2.0" in capsys.readouterr().out
 
 
