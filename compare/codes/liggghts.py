@@ -80,7 +80,8 @@ def _motion_columns(parameters: Parameters) -> dict[str, str]:
 
 def _damage_columns(parameters: Parameters) -> dict[str, tuple[str, ...]]:
     """What frames tell of cracks, and LIGGGHTS' words for it."""
-    damage, columns = parameters.damage, {}
+    columns: dict[str, tuple[str, ...]] = {}
+    damage = parameters.damage
     if damage and damage.lip is not None:
         columns["lip"] = ("f_damage[1]",)
     if damage and damage.minimal_neighbours:
