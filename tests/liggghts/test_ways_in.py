@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import central_body
 import moving_bar
 from liggghts_runs import Liggghts, built_paths
 from moving_bar import STEPS, beginning, largest_difference, state
@@ -43,3 +44,25 @@ def test_styles_dropped_into_the_source_tree(
     difference = largest_difference(reference, frames[STEPS])
     print(f"from source, {ranks} ranks: {difference:.1e}")
     assert difference <= 1e-12
+
+
+CENTRAL = (
+    central_body.beginning(central_body.words("threshold") + " range 1.3 dissipation 0.1")
+    + "fix damage all solidem/damage lip 0.4 minimal_neighbours 6 removal_every 20\n"
+    + "fix motion all nve\ntimestep 5e-8\n" + central_body.state(STEPS, "f_damage[1]")
+    + f"run {STEPS // 2}\nwrite_restart half.restart\nrun {STEPS // 2}\n"
+)
+
+
+@pytest.mark.parametrize("way", ["preload", pytest.param("source", marks=pytest.mark.slow)])
+def test_central_forces_by_every_way(
+    liggghts: Liggghts, prebuilt: dict[str, Path], tmp_path: Path, way: str
+) -> None:
+    if way == "preload":
+        other = Liggghts("liggghts", {"LD_PRELOAD": str(prebuilt["preload"])})
+    else:
+        other = Liggghts(built_paths("install")["program"])
+    central_body.write(central_body.shaken_block(), tmp_path / "body.data")
+    frames = [central_body.last_state(program, tmp_path, CENTRAL) for program in (liggghts, other)]
+    assert frames[0][:, 9].sum() > 20
+    assert (frames[0] == frames[1]).all()
