@@ -61,9 +61,7 @@ class CentralForceScene(MotionScene):
             add(body, force)
         for body in np.flatnonzero(self.body.removed & ~stood).tolist():
             state = O.bodies[body].state
-            # What a grip moves goes on with it.
-            state.vel = tuple(np.where(self.driven[body], list(state.vel), 0.0).tolist())
-            state.blockedDOFs = "xyzXYZ"
+            state.blockedDOFs, state.vel = "xyzXYZ", (0, 0, 0)
 
     def _force_on(self, elements: list[int]) -> Floats:
         return np.asarray(self.found.force[elements].sum(axis=0))

@@ -11,11 +11,11 @@ Damage::Damage(const DamageParameters& parameters, CentralForces& forces, Model&
   if (parameters_.lip) forces_.find_crack_lips(*parameters_.lip);
 }
 
-void Damage::advance(Model& /*model*/, const Step& /*step*/) {
+void Damage::look() {
+  ++steps_;
   const bool looks = parameters_.lip && steps_ % parameters_.every == 0;
   const bool removes =
-      parameters_.minimal_neighbours > 0 && steps_ > 0 && steps_ % parameters_.removal_every == 0;
-  ++steps_;
+      parameters_.minimal_neighbours > 0 && steps_ % parameters_.removal_every == 0;
   if (!looks && !removes) return;
   forces_.keep_neighbours();
   if (removes) remove_lonely();

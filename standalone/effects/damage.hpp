@@ -8,8 +8,9 @@
 
 namespace solidem {
 
-/// Micro-cracks among elements under central forces: laws/crack_lip.hpp. Acts before the forces, on
-/// the places that the step begins with; and takes out elements that have lost their hold.
+/// Micro-cracks among elements under central forces: laws/crack_lip.hpp. Looks at the places that a
+/// step begins with before anyone observes them, so that rows have the forces of that step; and
+/// takes out elements that have lost their hold.
 ///
 /// An element that is removed stays where it is, at rest. The energy that cracks take is what the
 /// balance of energy lacks.
@@ -17,7 +18,9 @@ class Damage : public Effect {
  public:
   Damage(const DamageParameters& parameters, CentralForces& forces, Model& model);
 
-  void advance(Model& model, const Step& step) override;
+  void advance(Model& /*model*/, const Step& /*step*/) override {}
+  /// Once after each step, when all elements are in their new places.
+  void look();
   /// Numbers of lips and of removed elements.
   void observe(const Model& model, Observation& observation) const override;
   std::vector<double> save() const override;

@@ -267,6 +267,7 @@ void Simulation::advance(std::int64_t steps) {
     for (const auto& effect : effects_) effect->advance(model_, step);
     if (mechanics_ != nullptr) model_.swap(model_.place_column());
     if (model_.has(columns::carried_velocity)) model_.swap(columns::carried_velocity);
+    if (damage_ != nullptr) damage_->look();
     if (heat_ != nullptr) heat_->advance(step);
     ++step_;
   }
