@@ -88,7 +88,7 @@ Plan make_plan(const Setup& setup, bool periodic) {
   }
   if (setup.central_forces) {
     const bool cracks = setup.damage && setup.damage->lip;
-    // Damage looks at the places that a step begins with.
+    // Damage looks at the places that the next step begins with.
     if (setup.damage)
       plan.effects.push_back({"damage", "[damage]", cracks ? "find_crack_lips" : ""});
     plan.effects.push_back({"central forces", "[central_forces]", central_kernel(setup, periodic)});
