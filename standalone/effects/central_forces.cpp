@@ -389,9 +389,11 @@ std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, s
       parameters_.law);
   if (parameters_.dissipation) {
     const double* velocity = model.data(columns::carried_velocity);
-    pair.push += dissipative_force(*parameters_.dissipation, pair.chord, 1 / pair.distance,
-                                   row_vector(velocity + std::ptrdiff_t{4} * i) -
-                                       row_vector(velocity + std::ptrdiff_t{4} * j));
+    const double drag = dissipative_force(*parameters_.dissipation, pair.chord, 1 / pair.distance,
+                                          row_vector(velocity + std::ptrdiff_t{4} * i) -
+                                              row_vector(velocity + std::ptrdiff_t{4} * j));
+    pair.push += drag;
+    pair.power = drag * drag / *parameters_.dissipation;
   }
   return pair;
 }
@@ -409,18 +411,21 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   ObservedMotion& motion = observation.motion;
   motion.force.assign(count, {});
   // Of each element, so that the sums do not depend on where empty slots stand.
-  std::vector<double> energy(count, 0.0), pairs(count, 0.0);
+  std::vector<double> energy(count, 0.0), pairs(count, 0.0), power(count, 0.0);
+  std::vector<double> nearest(count, closeness_);
   for_blocks(blocks, 40, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
-      model.slots().for_each_in(block,
-                                [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-                                  const auto pair = acting(model, i, j, row, lane);
-                                  if (!pair) return;
-                                  const auto own = static_cast<std::size_t>(i);
-                                  motion.force[own] += (-pair->push / pair->distance) * pair->chord;
-                                  energy[own] += 0.5 * pair->potential;
-                                  pairs[own] += 0.5;
-                                });
+      model.slots().for_each_in(
+          block, [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+            const auto pair = acting(model, i, j, row, lane);
+            if (!pair) return;
+            const auto own = static_cast<std::size_t>(i);
+            motion.force[own] += (-pair->push / pair->distance) * pair->chord;
+            energy[own] += 0.5 * pair->potential;
+            pairs[own] += 0.5;
+            power[own] += 0.5 * pair->power;
+            nearest[own] = std::max(nearest[own], pair->equilibrium / pair->distance);
+          });
   });
   double interactions = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -429,7 +434,9 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   }
   if (parameters_.dissipation) {
     const double* dissipated = model.data(columns::dissipated_energy);
-    for (std::size_t i = 0; i < model.elements(); ++i) motion.dissipated_energy += dissipated[i];
+    // The power of now has acted for the half step that the velocities are behind.
+    for (std::size_t i = 0; i < model.elements(); ++i)
+      motion.dissipated_energy += dissipated[i] + observation.behind * power[i];
   }
   const double* velocity = model.data(columns::velocity);
   const double* inverse_mass = model.data(columns::inverse_mass);
@@ -445,7 +452,8 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
     motion.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
   }
   observation.add("interactions", interactions);
-  observation.add("largest_interpenetration", closeness_ > 0 ? largest_interpenetration() : 0.0);
+  const double closeness = nearest.empty() ? 0 : *std::max_element(nearest.begin(), nearest.end());
+  observation.add("largest_interpenetration", closeness > 0 ? 1 - 1 / closeness : 0.0);
 }
 
 std::vector<double> CentralForces::save() const {

@@ -74,7 +74,8 @@ class CentralForces : public Mechanics {
   struct Acting {
     Vector chord;
     double distance, equilibrium;
-    double push;  ///< along the chord, away from i, N; with dissipation
+    double push;   ///< along the chord, away from i, N; with dissipation
+    double power;  ///< dissipated, W
     double potential;
   };
   /// The pair in a slot; none beyond the range.
