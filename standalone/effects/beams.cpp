@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "laws/rigid_sphere.hpp"
+#include "model/lane_vectors.hpp"
 
 namespace solidem {
 
@@ -18,16 +19,6 @@ Vector pose_centre(const double* row) {
 }
 Quaternion<double> pose_orientation(const double* row) {
   return {row[4], {row[5], row[6], row[7]}};
-}
-
-Vector lanes_vector(const double* column, std::size_t at) {
-  return {column[at], column[at + lanes], column[at + std::size_t{2} * lanes]};
-}
-
-void set_lanes_vector(double* column, std::size_t at, const Vector& v) {
-  column[at] = v.x;
-  column[at + lanes] = v.y;
-  column[at + std::size_t{2} * lanes] = v.z;
 }
 
 /// Columns of slots that bonds have, whichever of them a scene needs.

@@ -10,6 +10,7 @@
 #include "laws/central_interaction.hpp"
 #include "laws/crack_lip.hpp"
 #include "model/error.hpp"
+#include "model/lane_vectors.hpp"
 
 namespace solidem {
 
@@ -21,16 +22,6 @@ constexpr double search_cost = 25;         // steps that take as long as a searc
 
 Vector row_vector(const double* row) {
   return {row[0], row[1], row[2]};
-}
-
-Vector lanes_vector(const double* column, std::size_t at) {
-  return {column[at], column[at + lanes], column[at + std::size_t{2} * lanes]};
-}
-
-void set_lanes_vector(double* column, std::size_t at, const Vector& v) {
-  column[at] = v.x;
-  column[at + lanes] = v.y;
-  column[at + std::size_t{2} * lanes] = v.z;
 }
 
 bool are_remembered(const CentralForceParameters& parameters) {
@@ -75,6 +66,7 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
   const double reach = (1 + parameters_.bond_tolerance) * (1 + 1e-12);
   initial_ = find_neighbours(specimen.domain, specimen.position, specimen.radius, reach, 0);
   smallest_stiffness_ = std::numeric_limits<double>::infinity();
+  double largest_stiffness = 0, largest_deep_stiffness = 0;  // at the start, at the deepest overlap
   for (std::size_t i = 0; i < specimen.size(); ++i)
     for (std::size_t k = initial_.first[i]; k < initial_.first[i + 1]; ++k) {
       const auto j = static_cast<std::size_t>(initial_.neighbour[k]);
@@ -94,18 +86,22 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
       initial_distance_.push_back(equilibrium);
       std::visit(
           [&](const auto& law) {
+            const double share = parameters_.interpenetration;
             const double at_rest = bare_force(law, equilibrium, equilibrium).stiffness;
             const double deepest =
-                bare_force(law, (1 - parameters_.interpenetration) * equilibrium, equilibrium)
-                    .stiffness;
-            stiffening_ = std::max(stiffening_, deepest / at_rest);
+                bare_force(law, (1 - share) * equilibrium, equilibrium).stiffness;
+            stiffens_ = stiffens_ || deepest > at_rest;
+            largest_deep_stiffness = std::max({largest_deep_stiffness, at_rest, deepest});
+            largest_stiffness = std::max(
+                largest_stiffness, central_force(law, share, distance, equilibrium).stiffness);
             smallest_stiffness_ = std::min(smallest_stiffness_, at_rest);
-            depth_ = std::max(
-                depth_, -central_potential(law, parameters_.interpenetration,
-                                           parameters_.range * radii, equilibrium, equilibrium));
+            depth_ = std::max(depth_, -central_potential(law, share, parameters_.range * radii,
+                                                         equilibrium, equilibrium));
           },
           parameters_.law);
     }
+  if (largest_stiffness > 0)
+    stiffening_ = std::max(1.0, largest_deep_stiffness / largest_stiffness);
   if (model.has(columns::listed_place))
     for (std::size_t i = 0; i < specimen.size(); ++i)
       set_lanes_vector(model.data(columns::listed_place), Model::at(columns::listed_place, i),

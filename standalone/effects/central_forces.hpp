@@ -64,7 +64,7 @@ class CentralForces : public Mechanics {
   double allowed_interpenetration() const { return parameters_.interpenetration; }
   /// Whether pairs came nearer than the law is followed, and it is stiffer there.
   bool has_exceeded() const {
-    return stiffening_ > 1 && largest_interpenetration() > parameters_.interpenetration;
+    return stiffens_ && largest_interpenetration() > parameters_.interpenetration;
   }
   /// How often neighbours were sought.
   std::size_t searches() const { return searches_; }
@@ -96,9 +96,10 @@ class CentralForces : public Mechanics {
   std::vector<std::int32_t> driven_;      ///< elements that others move
   double skin_ = 0;                       ///< m
   double depth_ = 0;                      ///< of the deepest well at the start, J
-  double stiffening_ = 1;                 ///< largest stiffness over the one at the equilibrium
-  double smallest_stiffness_ = 0;         ///< at the equilibrium, N/m
-  double closeness_ = 0;                  ///< the largest δ_eq/δ met
+  double stiffening_ = 1;          ///< stiffness at the deepest overlap over that at the start
+  bool stiffens_ = false;          ///< whether the law is stiffer there than at rest
+  double smallest_stiffness_ = 0;  ///< at the equilibrium, N/m
+  double closeness_ = 0;           ///< the largest δ_eq/δ met
   bool outran_ = false;
   std::size_t searches_ = 0;
   std::int64_t steps_since_ = 0;  ///< the last search

@@ -12,9 +12,16 @@ namespace solidem {
 
 namespace {
 
-/// The box of the cells: the periods, and elsewhere where the elements stand. A few that have flown
-/// far away count to the outermost cells, so that cells stay small where most are.
-CellBox box_around(const Domain& domain, const std::vector<Vector>& position, double reach) {
+/// Whether cells as wide as the reach are few enough to lay them all out.
+bool is_dense(const CellBox& box, double reach, std::size_t elements) {
+  double cells = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    cells *= std::max(1.0, component(box.upper - box.lower, axis) / reach);
+  return cells < 4.0 * static_cast<double>(elements);
+}
+
+/// The box of the cells: the periods, and elsewhere where the elements stand.
+CellBox box_around(const Domain& domain, const std::vector<Vector>& position) {
   CellBox box{domain.lower, domain.upper, domain.periodic};
   for (int axis = 0; axis < 3; ++axis) {
     if (domain.periodic[static_cast<std::size_t>(axis)]) continue;
@@ -25,21 +32,56 @@ CellBox box_around(const Domain& domain, const std::vector<Vector>& position, do
     component(box.lower, axis) = component(*low, axis);
     component(box.upper, axis) = component(*high, axis);
   }
-  double cells = 1;
-  for (int axis = 0; axis < 3; ++axis)
-    cells *= std::max(1.0, component(box.upper - box.lower, axis) / reach);
-  if (cells < 4.0 * static_cast<double>(position.size())) return box;
+  return box;
+}
+
+/// Moves fragments that have flown apart together again: slabs across an axis that hold no element
+/// are narrowed to twice the reach. Who is within reach stays so, and nobody comes to be.
+void fold(const Domain& domain, double reach, std::vector<Vector>& position) {
+  std::vector<std::pair<double, std::size_t>> places(position.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain.periodic[static_cast<std::size_t>(axis)]) continue;
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = {component(position[i], axis), i};
+    std::sort(places.begin(), places.end());
+    double removed = 0;
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      const double gap = places[k].first - places[k - 1].first;
+      if (gap > 2 * reach) removed += gap - 2 * reach;
+      component(position[places[k].second], axis) -= removed;
+    }
+  }
+}
+
+/// The box without the few outermost elements, which count to the outermost cells then: cells stay
+/// small where most are.
+void leave_out_a_few(const std::vector<Vector>& position, CellBox& box) {
   std::vector<double> place(position.size());
   const auto cut = static_cast<std::ptrdiff_t>(position.size() / 200);
   for (int axis = 0; axis < 3; ++axis) {
-    if (domain.periodic[static_cast<std::size_t>(axis)]) continue;
+    if (box.periodic[static_cast<std::size_t>(axis)]) continue;
     for (std::size_t i = 0; i < place.size(); ++i) place[i] = component(position[i], axis);
     std::nth_element(place.begin(), place.begin() + cut, place.end());
     component(box.lower, axis) = place[static_cast<std::size_t>(cut)];
     std::nth_element(place.begin(), place.end() - 1 - cut, place.end());
     component(box.upper, axis) = *(place.end() - 1 - cut);
   }
-  return box;
+}
+
+/// The elements in cells.
+LinkedCells sorted_into_cells(const Domain& domain, const std::vector<Vector>& position,
+                              double reach) {
+  CellBox box = box_around(domain, position);
+  const bool dense = is_dense(box, reach, position.size());
+  std::vector<Vector> folded;
+  if (!dense) {
+    folded = position;
+    fold(domain, reach, folded);
+    box = box_around(domain, folded);
+    if (!is_dense(box, reach, folded.size())) leave_out_a_few(folded, box);
+  }
+  LinkedCells cells(box, reach, position.size());
+  cells.sort(dense ? position : folded);
+  return cells;
 }
 
 /// A neighbour and its image in one number, by which they are sorted.
@@ -141,8 +183,7 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
   const bool periodic = domain.is_periodic();
   const double largest = *std::max_element(radius.begin(), radius.end());
   const double reach = 1.004 * (2 * factor * largest + margin);
-  LinkedCells cells(box_around(domain, position, reach), reach, count);
-  cells.sort(position);
+  const LinkedCells cells = sorted_into_cells(domain, position, reach);
 
   const std::size_t cell_count = cells.cell_count();
   const auto parts = static_cast<std::ptrdiff_t>(std::min<std::size_t>(cell_count, 64));
