@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a sweep leaves behind: tables (Markdown, CSV), verdicts and a figure, a panel for each variation."""
+"""What a sweep leaves behind: tables (Markdown, CSV), verdicts and a figure of all variations."""
 
 from __future__ import annotations
 
