@@ -134,9 +134,9 @@ inline void shake(Simulation& simulation, double speed) {
     launch(simulation, i, {share(random), share(random), share(random)});
 }
 
-/// Sum of the elements' momenta, as a part of the sum of their sizes; an element that was removed
-/// has none.
-inline double net_momentum(const Simulation& simulation) {
+/// Sum of the elements' momenta, as a part of the sum of their sizes, or of what it would be at a
+/// speed; an element that was removed has none.
+inline double net_momentum(const Simulation& simulation, double speed = 0) {
   Vector sum{};
   double size = 0;
   for (std::size_t i = 0; i < simulation.model().elements(); ++i) {
@@ -144,7 +144,7 @@ inline double net_momentum(const Simulation& simulation) {
     if (!(inverse_mass > 0)) continue;
     const Vector momentum = (1 / inverse_mass) * velocity_of(simulation, i);
     sum += momentum;
-    size += norm(momentum);
+    size += speed > 0 ? speed / inverse_mass : norm(momentum);
   }
   return size > 0 ? norm(sum) / size : 0;
 }
