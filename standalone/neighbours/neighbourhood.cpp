@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "model/error.hpp"
 #include "neighbours/linked_cells.hpp"
 
 namespace solidem {
@@ -173,6 +175,27 @@ Vector image_shift(const Domain& domain, Image image) {
   return shift;
 }
 
+namespace {
+
+/// Images are told apart up to so many periods; more is no body any more.
+void insist_on_few_periods(const Domain& domain, const std::vector<Vector>& position) {
+  std::array<int, 3> low{}, high{};
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const std::array<int, 3> away = periods_away(domain, position[i]);
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = i == 0 ? away[a] : std::min(low[a], away[a]);
+      high[a] = i == 0 ? away[a] : std::max(high[a], away[a]);
+    }
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+    if (high[a] - low[a] > Image::most_periods - 100)
+      throw RunError(std::string("elements have drifted ") + std::to_string(high[a] - low[a]) +
+                     " periods apart along " + "xyz"[a] + "; at most " +
+                     std::to_string(Image::most_periods - 100) + " are told apart");
+}
+
+}  // namespace
+
 Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& position,
                               const std::vector<double>& radius, double factor, double margin,
                               const std::vector<char>& absent, PickNear pick) {
@@ -181,6 +204,7 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
   result.first.assign(count + 1, 0);
   if (count == 0) return result;
   const bool periodic = domain.is_periodic();
+  if (periodic) insist_on_few_periods(domain, position);
   const double largest = *std::max_element(radius.begin(), radius.end());
   const double reach = 1.004 * (2 * factor * largest + margin);
   const LinkedCells cells = sorted_into_cells(domain, position, reach);

@@ -13,13 +13,14 @@
 
 namespace solidem {
 
-/// Which periodic image of a neighbour is meant: whole periods along x, y, z, each from −127 to
-/// 127.
+/// Which periodic image of a neighbour is meant: whole periods along x, y, z, each of at most
+/// `most_periods` either way.
 class Image {
  public:
   Image() = default;
-  Image(int x, int y, int z) : code_(((x + 128) << 16) | ((y + 128) << 8) | (z + 128)) {}
-  int periods(int axis) const { return ((code_ >> (8 * (2 - axis))) & 255) - 128; }
+  Image(int x, int y, int z) : code_(((x + 512) << 20) | ((y + 512) << 10) | (z + 512)) {}
+  static constexpr int most_periods = 511;
+  int periods(int axis) const { return ((code_ >> (10 * (2 - axis))) & 1023) - 512; }
   /// Images go in this order.
   std::uint32_t code() const { return static_cast<std::uint32_t>(code_); }
   static Image of_code(std::uint32_t code) {
@@ -31,7 +32,7 @@ class Image {
   friend bool operator<(Image a, Image b) { return a.code_ < b.code_; }
 
  private:
-  std::int32_t code_ = (128 << 16) | (128 << 8) | 128;
+  std::int32_t code_ = (512 << 20) | (512 << 10) | 512;
 };
 
 /// What is added to the centre of a neighbour to reach its image, m.
