@@ -43,6 +43,18 @@ ForceAndStiffness central_force(const Law& law, double interpenetration, double 
   return there;
 }
 
+/// Whether a law pushes apart all the way down to this overlap, as it must to be followed so far; a
+/// shifted law may have a pole before.
+template <class Law>
+bool repels_down_to(const Law& law, double interpenetration) {
+  constexpr int places = 64;
+  for (int k = 1; k <= places; ++k) {
+    const double force = law.force(separation(1 - interpenetration * k / places, 1.0));
+    if (interpenetration > 0 && !(force > 0 && force < 1e300)) return false;
+  }
+  return true;
+}
+
 /// Potential inside the range, J, counted from the range δ_lim, m.
 template <class Law>
 double central_potential(const Law& law, double interpenetration, double range, double distance,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // [central_forces] and [damage]. Names and keys of the laws come from their table.
+#include "laws/central_interaction.hpp"
 #include "scene/rules.hpp"
 #include "scene/sections.hpp"
 
@@ -63,13 +64,16 @@ Rule central_forces_section(std::optional<CentralForceParameters>& forces,
                                               {{"changing", Forces::Neighbours::changing},
                                                {"fixed", Forces::Neighbours::fixed}})),
           may_have("interpenetration",
-                   number(parameters.interpenetration, Range{0, 1, true, false})),
+                   number(parameters.interpenetration, Range{0, 1, false, false})),
           may_have("dissipation", quantity(parameters.dissipation, dimension::drag, positive)),
           may_have("skin", number(parameters.skin, Range{0, 10, false, true}))};
       keys.insert(keys.begin(), others.begin(), others.end());
       section.read(keys, std::string("the law ") + law.name);
       if (const char* complaint = law.complaint())
         section.refuse("law", complaint, "parameters that go together");
+      if (!repels_down_to(law, parameters.interpenetration))
+        section.refuse("interpenetration", "the law has its pole before so deep an overlap",
+                       "a smaller one, or other parameters of the law");
       parameters.law = law;
     });
     if (section.has("skin") && parameters.neighbours == Forces::Neighbours::fixed)

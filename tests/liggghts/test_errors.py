@@ -181,6 +181,11 @@ WRONG_CENTRAL = {
         PAIR + " neighbours new", "neighbours must be changing or fixed, not 'new'"),
     "interpenetration of all": (
         PAIR + " interpenetration 1", "interpenetration must be above 0 and below 1, not 1"),
+    "beyond the pole of the law": (
+        "pair_style solidem/central shifted-lennard-jones attraction 25 peak_separation 1.02 "
+        "range 1.2 interpenetration 0.3",
+        "the law has a pole before",
+    ),
     "negative dissipation": (
         PAIR + " dissipation -1", "dissipation must not be negative, but is -1"),
     "coefficients": (PAIR + "\npair_coeff 1 1 5\n", "pair_coeff takes '* *' and no more"),

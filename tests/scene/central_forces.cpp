@@ -111,7 +111,7 @@ TEST(CentralForcesScene, parameters_of_every_law_of_the_table) {
     using Law = std::decay_t<decltype(which)>;
     const std::string text = replaced(scene, section, section_of(which));
     ASSERT_EQ(complaint(text), "") << text;
-    const auto& law = std::get<Law>(forces_of(text).law);
+    const Law law = std::get<Law>(forces_of(text).law);
     int number = 2 + static_cast<int>(Law::parameters().size());
     for (const auto& parameter : Law::parameters()) {
       const double value = number--;
@@ -149,6 +149,10 @@ const std::string mie =
 const std::string range = "range = 1.2\n";
 
 // name, scene, from, to, on the line of, fragments
+/// A law that has its pole at an overlap of 18 %.
+const std::string shifted = replaced(scene, "law = \"piecewise\"\nstiffness = \"1500 kN/m\"\n",
+                                     "law = \"shifted-lennard-jones\"\npeak_separation = 1.02\n");
+
 const BadScene bad[] = {
     {"unknown_law",
      good,
@@ -192,6 +196,12 @@ const BadScene bad[] = {
      range + "interpenetration = 1\n",
      "interpenetration",
      {"interpenetration = 1", "out of range"}},
+    {"interpenetration_beyond_the_pole",
+     &shifted,
+     range,
+     range + "interpenetration = 0.3\n",
+     "interpenetration",
+     {"interpenetration = 0.3", "pole", "a smaller one"}},
     {"no_dissipation",
      good,
      range,

@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "error.h"
+#include "laws/central_interaction.hpp"
 
 namespace LAMMPS_NS {
 
@@ -171,6 +172,11 @@ SolidemCentral solidem_read_central(LAMMPS* liggghts, const std::vector<std::str
   if (central.tolerance < 0.0) central.tolerance = central.range - 1.0;
   const char* complaint = std::visit([](const auto& law) { return law.complaint(); }, central.law);
   if (complaint) words.fail(complaint);
+  const bool repels = std::visit(
+      [&](const auto& law) { return repels_down_to(law, central.interpenetration); }, central.law);
+  if (!repels)
+    words.fail("interpenetration " + full(central.interpenetration) +
+               ": the law has a pole before; expected a smaller one");
   return central;
 }
 
