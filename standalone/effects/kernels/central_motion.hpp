@@ -59,8 +59,8 @@ template <class Law, bool dissipates, bool cracks>
 struct Pull {
   const Law& law;
   const CentralMotion& m;
+  std::size_t offset;
   Pack closeness;
-  std::size_t offset{};
   Quad own{};  ///< centre, and α R
   PackVector own_velocity{}, own_barycentre{};
   PackVector force{};
@@ -110,7 +110,7 @@ template <class Law, bool dissipates, bool cracks>
 void move_by(const Law& law, CentralMotion& m, std::size_t first, std::size_t last) {
   const Pack margin(m.listed_margin * m.listed_margin);
   const CentralMotion columns = m;
-  Pull<Law, dissipates, cracks> pull{law, columns, Pack(m.closeness)};
+  Pull<Law, dissipates, cracks> pull{law, columns, 0, Pack(m.closeness)};
   bool outran = m.outran;
   for (std::size_t block = first; block < last; ++block) {
     for (int lane = 0; lane < lanes; lane += width) {
