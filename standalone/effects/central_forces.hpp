@@ -39,6 +39,8 @@ class CentralForces : public Mechanics {
   std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override;
   double longest_time_step(double squared_frequency) const override;
   void accelerate(Model& model) const override;
+  /// So small that no pair comes into range by it, where forces jump.
+  double trial_displacement() const override { return 1e-9; }
   double typical_energy(const Model& /*model*/) const override { return depth_; }
   double releasable_energy(const Model& model) const override;
   void for_each_pair(const Model& model, const PairVisit& visit) const override;

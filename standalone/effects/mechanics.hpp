@@ -24,6 +24,10 @@ class Mechanics : public Effect {
   /// without dissipation, and nothing moves, flows or breaks.
   virtual void accelerate(Model& model) const = 0;
 
+  /// Displacements by which stiffness is tried, in mean radii: small enough for the law to be
+  /// linear to about 1e-6, and far above round-off.
+  virtual double trial_displacement() const { return 1e-5; }
+
   /// A small energy to measure round-off by: that of one pair, J.
   virtual double typical_energy(const Model& model) const = 0;
 

@@ -29,8 +29,7 @@ double stable_time_step(const Mechanics& mechanics, Model& model) {
   const std::vector<double> saved_velocity(velocity, velocity + model.size(columns::velocity));
   const std::vector<double> saved_spin(spin, spin + spins);
 
-  // Displacements small enough for the law to be linear to about 1e-6, and far above round-off.
-  const double amplitude = 1e-5 * mean_radius(model.specimen());
+  const double amplitude = mechanics.trial_displacement() * mean_radius(model.specimen());
   std::vector<double> shape(6 * elements);
   for (std::size_t k = 0; k < shape.size(); ++k) {
     const bool turns = k % 6 >= 3;
