@@ -57,16 +57,16 @@ void beams(benchmark::State& state) {
   parameters.young_modulus = 3.5e12;
   parameters.shear_modulus = 1.35e12;
   parameters.radius_ratio = 0.27;
-  setup.beams = parameters;
-  setup.initial_velocities.push_back({{}, {1, 0, 0}});
+  setup.get<BeamParameters>() = parameters;
+  setup.all<InitialVelocity>().push_back({{}, {1, 0, 0}});
   time_steps(state, setup);
 }
 
 void conduction(benchmark::State& state) {
   Setup setup;
   setup.materials.push_back(aluminium());
-  setup.conduction = ConductionParameters{};
-  setup.conduction->initial_temperature = 298;
+  setup.get<ConductionParameters>() = ConductionParameters{};
+  setup.get<ConductionParameters>()->initial_temperature = 298;
   time_steps(state, setup);
 }
 

@@ -206,7 +206,8 @@ int calibrate_scene(const CalibrateCommand& command) {
     return calibrate_orthotropic_scene(scene, specimens, directory);
 
   const CalibrationRequest& request = *scene.calibration;
-  const BondParameters bonds{*setup.beams, setup.plasticity, setup.rupture, setup.contact};
+  const BondParameters bonds{*setup.get<BeamParameters>(), setup.get<PlasticityParameters>(),
+                             setup.get<RuptureParameters>(), setup.get<ContactParameters>()};
   std::vector<Calibration> found(request.one_set ? 1 : specimens.size());
   std::mutex printing;
   const auto teller = [&](const std::string& prefix) {

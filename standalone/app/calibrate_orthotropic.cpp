@@ -83,16 +83,18 @@ int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>&
   const auto start = Clock::now();
   const OrthotropicRequest& request = *scene.orthotropic_calibration;
   auto last = start;
-  const OrthotropicCalibration found = calibrate_orthotropic(
-      request, *scene.setup.beams, specimens, [&last](const OrthotropicTrial& trial) {
-        const auto now = Clock::now();
-        print_trial(trial, std::chrono::duration<double>(now - last).count());
-        last = now;
-      });
+  const OrthotropicCalibration found =
+      calibrate_orthotropic(request, *scene.setup.get<BeamParameters>(), specimens,
+                            [&last](const OrthotropicTrial& trial) {
+                              const auto now = Clock::now();
+                              print_trial(trial, std::chrono::duration<double>(now - last).count());
+                              last = now;
+                            });
   print_result(request, found);
 
-  const std::string sections = bond_sections(
-      {found.beams, scene.setup.plasticity, scene.setup.rupture, scene.setup.contact});
+  const std::string sections =
+      bond_sections({found.beams, scene.setup.get<PlasticityParameters>(),
+                     scene.setup.get<RuptureParameters>(), scene.setup.get<ContactParameters>()});
   replace_text_file(directory + "/calibrated.toml", sections);
   fmt::print("\n{}\n-> {}/calibrated.toml\n", sections, directory);
 

@@ -29,9 +29,9 @@ std::string text_of(const Vector& v) {
 
 void measure_constants(const std::string& path, bool json) {
   const Scene scene = read_scene(path);
-  if (!scene.setup.beams)
+  if (!scene.setup.get<BeamParameters>())
     throw InputError(path + ": nothing is elastic; expected a section [beams]");
-  const BeamParameters& beams = *scene.setup.beams;
+  const BeamParameters& beams = *scene.setup.get<BeamParameters>();
   const Specimen specimen = make_body(scene);
   const GrainAxes<double> axes =
       beams.anisotropy ? beams.anisotropy->axes : GrainAxes<double>{{1, 0, 0}, {0, 1, 0}};

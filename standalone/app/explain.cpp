@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "effects/effect_kind.hpp"
 #include "effects/heat_exchange.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
@@ -53,100 +54,14 @@ const char* name_of(Site site) {
   return "conductor";
 }
 
-/// A constant as a number, a table as {temperature, value}.
-Json to_json(const TemperatureFunction& f) {
-  if (f.is_constant()) return f(0);
-  return {{"temperature", f.temperatures()}, {"value", f.values()}};
-}
-
-Json conduction_of(const Simulation& simulation) {
-  const Setup& setup = simulation.setup();
-  return {{"law", name_of(setup.conduction->law)},
-          {"initial_temperature", setup.conduction->initial_temperature},
-          {"conductivity", to_json(setup.materials[0].conductivity)},
-          {"specific_heat_capacity", to_json(setup.materials[0].specific_heat)},
-          {"area_factor", simulation.heat()->area_factor()},
-          {"integrator", name_of(setup.conduction->integrator)}};
-}
-
-Json to_json(const Vector& v) {
-  return {v.x, v.y, v.z};
-}
-
-Json anisotropy_of(const Anisotropy& grain) {
-  const auto& shear = grain.transverse_shear_modulus;
-  return {{"grain", to_json(grain.axes.longitudinal)},
-          {"radial", to_json(grain.axes.radial)},
-          {"radial_modulus", grain.radial_modulus},
-          {"tangential_modulus", grain.tangential_modulus},
-          {"transverse_shear_modulus", shear ? Json(*shear) : Json(nullptr)},
-          {"exponent", grain.exponent}};
-}
-
-Json fibres_of(const Fibres& fibres) {
-  return {{"direction", to_json(fibres.rule.direction)},
-          {"reach", fibres.rule.reach},
-          {"alignment", fibres.rule.alignment},
-          {"stiffness_ratio", fibres.stiffness_ratio}};
-}
-
-Json central_forces_of(const CentralForceParameters& forces) {
-  Json result = Json::object();
-  std::visit(
-      [&result](const auto& law) {
-        result["law"] = law.name;
-        for (const auto& parameter : law.parameters())
-          result["parameters"][parameter.name] = law.*parameter.place;
-      },
-      forces.law);
-  result["range"] = forces.range;
-  result["equilibrium"] = name_of(forces.equilibrium);
-  result["neighbours"] = name_of(forces.neighbours);
-  result["interpenetration"] = forces.interpenetration;
-  result["dissipation"] = forces.dissipation ? Json(*forces.dissipation) : Json(nullptr);
-  result["skin"] = forces.skin ? Json(*forces.skin) : Json(nullptr);
-  result["bond_tolerance"] = forces.bond_tolerance;
-  return result;
-}
-
+/// The parameters of every effect that the scene names, by section.
 Json laws_of(const Simulation& simulation) {
-  const Setup& setup = simulation.setup();
   Json laws = Json::object();
-  if (setup.beams) {
-    const BeamParameters& beams = *setup.beams;
-    const bool pair = beams.radius_from == BeamParameters::RadiusFrom::pair;
-    laws["beams"] = {{"law", name_of(beams.law)},
-                     {"young_modulus", beams.young_modulus},
-                     {"shear_modulus", beams.shear_modulus},
-                     {"shear_coefficient", beams.shear_coefficient},
-                     {"radius_ratio", beams.radius_ratio},
-                     {"radius_from", pair ? "pair" : "mean"},
-                     {"mean_radius", mean_radius(simulation.model().specimen())}};
-  }
-  if (setup.beams && setup.beams->anisotropy)
-    laws["beams"]["anisotropy"] = anisotropy_of(*setup.beams->anisotropy);
-  if (setup.beams && setup.beams->fibres) laws["beams"]["fibres"] = fibres_of(*setup.beams->fibres);
-  const auto number = [](const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-  };
-  if (setup.plasticity)
-    laws["plasticity"] = {{"law", name_of(setup.plasticity->law)},
-                          {"yield_strain", setup.plasticity->yield_strain},
-                          {"hardening_ratio", setup.plasticity->hardening_ratio}};
-  if (setup.rupture)
-    laws["rupture"] = {{"elastic_strain", number(setup.rupture->elastic_strain)},
-                       {"strain", number(setup.rupture->strain)},
-                       {"minimal_bonds", setup.rupture->minimal_bonds}};
-  if (setup.contact)
-    laws["contact"] = {{"stiffness_ratio", setup.contact->stiffness_ratio},
-                       {"rebonding_pressure", number(setup.contact->rebonding_pressure)}};
-  if (setup.central_forces) laws["central_forces"] = central_forces_of(*setup.central_forces);
-  if (setup.damage)
-    laws["damage"] = {{"lip", number(setup.damage->lip)},
-                      {"every", setup.damage->every},
-                      {"minimal_neighbours", setup.damage->minimal_neighbours},
-                      {"removal_every", setup.damage->removal_every}};
-  if (setup.conduction) laws["conduction"] = conduction_of(simulation);
+  for (const EffectKind& kind : effect_kinds())
+    if (kind.explain && kind.is_named(simulation.setup()) && !kind.is_list)
+      kind.explain(simulation.setup(), simulation.model().specimen(), laws[kind.section]);
+  if (simulation.heat() != nullptr)
+    laws["conduction"]["area_factor"] = simulation.heat()->area_factor();
   return laws;
 }
 
@@ -169,7 +84,7 @@ Json heat_loads_of(const Simulation& simulation, Json report) {
 
 Json loads_of(const Setup& setup, Json report) {
   report["grips"] = Json::array();
-  for (const GripParameters& grip : setup.grips) {
+  for (const GripParameters& grip : setup.all<GripParameters>()) {
     Json axes = Json::array();
     for (const AxisControl& axis : grip.axis)
       axes.push_back({{"kind", name_of(axis.kind)}, {"function", to_json(axis.function)}});
@@ -177,9 +92,9 @@ Json loads_of(const Setup& setup, Json report) {
                                {"axes", axes},
                                {"rotation", grip.rotation_fixed ? "fixed" : "free"}});
   }
-  report["initial_velocities"] = setup.initial_velocities.size();
+  report["initial_velocities"] = setup.all<InitialVelocity>().size();
   report["temperatures"] = Json::array();
-  for (const ImposedTemperatureParameters& imposed : setup.temperatures)
+  for (const ImposedTemperatureParameters& imposed : setup.all<ImposedTemperatureParameters>())
     if (imposed.wall.empty())
       report["temperatures"].push_back(
           {{"name", imposed.name}, {"value", to_json(imposed.temperature)}});

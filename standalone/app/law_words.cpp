@@ -7,11 +7,11 @@
 #include <cmath>
 #include <map>
 
+#include "keys/nearest_name.hpp"
+#include "keys/units.hpp"
 #include "model/error.hpp"
 #include "model/specimen.hpp"
-#include "scene/nearest_name.hpp"
 #include "scene/scene.hpp"
-#include "scene/units.hpp"
 #include "specimen/recipe.hpp"
 
 namespace solidem {
@@ -181,11 +181,11 @@ double mean_radius_of(const SpecimenRecipe& recipe) {
 /// The law of a scene's [central_forces].
 ShownLaw scene_law(const NamedLaw& named, const LawDefaults& defaults) {
   const Scene scene = read_scene(named.name);
-  if (!scene.setup.central_forces)
+  if (!scene.setup.get<CentralForceParameters>())
     throw InputError(named.name +
                      ": no central forces; expected a scene with a section [central_forces]");
   refuse_unknown(named, {});
-  const CentralForceParameters& forces = *scene.setup.central_forces;
+  const CentralForceParameters& forces = *scene.setup.get<CentralForceParameters>();
   ShownLaw shown;
   shown.label = std::visit([](const auto& law) { return std::string(law.name); }, forces.law) +
                 " of " + scene.title;

@@ -81,7 +81,7 @@ int run_scene(const RunCommand& command) {
   const bool completed = run(simulation, options);
   if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
     fmt::print("heat in time: {}\n", heat->integrator()->explanation());
-  if (const CentralForces* forces = simulation.central_forces();
+  if (const CentralForces* forces = simulation.find<CentralForces>();
       forces != nullptr && forces->has_exceeded())
     fmt::print(
         "note: elements came as near as {:.3g} of their equilibrium distance overlapping, the "

@@ -50,18 +50,18 @@ std::vector<double> masses_of(const Simulation& simulation) {
 }
 
 void set_up(const Scene& scene, StaticScene& body) {
-  if (!scene.setup.beams)
+  if (!scene.setup.get<BeamParameters>())
     throw InputError(scene.path +
                      ": the scene has no [beams]; `solidem solve` needs bonds to solve");
   // Whether a time step is stable does not matter here.
   const Simulation simulation(scene.setup, make_body(scene), true);
   body.specimen = simulation.model().specimen();
   body.specimen.bonds = simulation.model().slots().pairs();
-  body.network = beam_network(*scene.setup.beams, body.specimen);
+  body.network = beam_network(*scene.setup.get<BeamParameters>(), body.specimen);
   body.mass = masses_of(simulation);
   body.time = scene.setup.run.duration.value_or(static_cast<double>(simulation.steps_to_run()) *
                                                 simulation.time_step().value);
-  for (const GripParameters& grip : scene.setup.grips)
+  for (const GripParameters& grip : scene.setup.all<GripParameters>())
     impose(grip, simulation.selections().at("grip." + grip.name), body.mass, body.time,
            body.conditions);
 }
@@ -126,14 +126,16 @@ void write_trajectories(const std::string& directory, const StaticScene& body,
 std::vector<std::string> notes_of(const Setup& setup, double largest_strain,
                                   const Equilibrium& equilibrium) {
   std::vector<std::string> notes;
-  if (setup.plasticity && largest_strain > setup.plasticity->yield_strain)
+  if (setup.get<PlasticityParameters>() &&
+      largest_strain > setup.get<PlasticityParameters>()->yield_strain)
     notes.push_back(fmt::format(
         "the solution is elastic, but bonds would have yielded: their largest equivalent strain is "
         "{:.3g}, the yield strain {:.3g}",
-        largest_strain, setup.plasticity->yield_strain));
-  if (setup.rupture) {
-    const double bound = std::min(setup.rupture->elastic_strain.value_or(largest_strain),
-                                  setup.rupture->strain.value_or(largest_strain));
+        largest_strain, setup.get<PlasticityParameters>()->yield_strain));
+  if (setup.get<RuptureParameters>()) {
+    const double bound =
+        std::min(setup.get<RuptureParameters>()->elastic_strain.value_or(largest_strain),
+                 setup.get<RuptureParameters>()->strain.value_or(largest_strain));
     if (largest_strain > bound)
       notes.push_back(fmt::format(
           "the solution is elastic, but bonds would have broken: their largest equivalent strain "
@@ -214,7 +216,7 @@ void solve_scene(const SolveCommand& command) {
     fmt::print("gauge: stress {:.6g} Pa, strain {:.6g}, lateral strain {:.6g}\n", gauge.stress,
                gauge.strain, lateral);
   }
-  for (const GripParameters& grip : scene.setup.grips) {
+  for (const GripParameters& grip : scene.setup.all<GripParameters>()) {
     const GripAction action = grip_action(select(grip.region, body.specimen), body.conditions,
                                           body.specimen, equilibrium);
     summary["grips"][grip.name] = {{"force", json_of(action.force)},

@@ -30,6 +30,12 @@ constexpr const Column* slot_columns[] = {&columns::rest_direction,     &columns
 
 }  // namespace
 
+BeamDemands demands_of(const Setup& setup) {
+  const auto& contact = setup.get<ContactParameters>();
+  return {setup.get<BeamParameters>().value(), setup.get<PlasticityParameters>(),
+          setup.get<RuptureParameters>(), contact && contact->rebonding_pressure};
+}
+
 BeamFlow BeamDemands::flow() const {
   if (plasticity && plasticity->law == PlasticityParameters::Law::scaled_offset)
     return BeamFlow::scaled_offset;
@@ -330,13 +336,15 @@ void Beams::observe(const Model& model, Observation& observation) const {
                                   work[block] += 0.5 * b.response.plastic_work;
                                 });
   });
-  motion.elastic_energy = 0;
-  for (const double part : energy) motion.elastic_energy += part;
-  if (model.has(columns::plastic_work)) {
-    motion.plastic_work = 0;
-    for (const double part : work) motion.plastic_work += part;
+  double elastic = 0;
+  for (const double part : energy) elastic += part;
+  observation.energies.add(EnergyLedger::Kind::stored, "elastic_energy", elastic);
+  if (demands_.plasticity) {
+    double plastic = 0;
+    for (const double part : work) plastic += part;
     const double* kept = model.data(columns::plastic_work);
-    for (std::size_t i = 0; i < model.elements(); ++i) motion.plastic_work += kept[i];
+    for (std::size_t i = 0; i < model.elements(); ++i) plastic += kept[i];
+    observation.energies.add(EnergyLedger::Kind::dissipated, "plastic_work", plastic);
   }
 
   const double* velocity = model.data(columns::velocity);
@@ -361,6 +369,43 @@ void Beams::observe(const Model& model, Observation& observation) const {
     w = lanes_vector(spin, at) + (observation.behind * inverse_inertia[i]) * motion.moment[i];
     motion.kinetic_energy += 0.5 * dot(w, w) / inverse_inertia[i];
   }
+}
+
+double Beams::spent(const Model& model) const {
+  double work = 0;
+  if (model.has(columns::plastic_work))
+    for (std::size_t i = 0; i < model.elements(); ++i) work += model.data(columns::plastic_work)[i];
+  return work;
+}
+
+void Beams::show(const Model& model, Frame& frame) const {
+  if (model.has(columns::plastic_work)) {
+    const double* work = model.data(columns::plastic_work);
+    frame.add("plastic_work", {work, work + model.elements()});
+  }
+  if (!demands_.plasticity && !demands_.rupture) return;
+  std::vector<double> had(model.elements(), 0), broken(model.elements(), 0);
+  std::vector<double> stress, plastic_strain, intact;
+  for (const Pair& pair : frame.bonds()) {
+    const auto place = model.slots().find(pair.i, pair.j);
+    for (const std::int32_t element : {pair.i, pair.j}) {
+      had[static_cast<std::size_t>(element)] += 1;
+      if (!place) broken[static_cast<std::size_t>(element)] += 1;
+    }
+    intact.push_back(place ? 1 : 0);
+    stress.push_back(0);
+    plastic_strain.push_back(0);
+    if (!place) continue;
+    const Bond b = bond(model, pair.i, pair.j, place->row, place->lane);
+    stress.back() = b.rigidity().axial / b.section() * b.response.strain;
+    plastic_strain.back() = b.response.history.strain;
+  }
+  for (std::size_t i = 0; i < had.size(); ++i)
+    if (had[i] > 0) broken[i] /= had[i];
+  frame.add("broken_bonds", broken);
+  frame.add_of_bonds("stress", stress);
+  frame.add_of_bonds("plastic_strain", plastic_strain);
+  frame.add_of_bonds("intact", intact);
 }
 
 }  // namespace solidem

@@ -8,7 +8,7 @@
 #include "effects/beam_properties.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "effects/mechanics.hpp"
-#include "effects/parameters.hpp"
+#include "effects/setup.hpp"
 
 namespace solidem {
 
@@ -23,6 +23,9 @@ struct BeamDemands {
   BeamFlow flow() const;
   bool turning() const { return elasticity.law != BeamParameters::Law::spring; }
 };
+
+/// What a setup asks of its bonds; it must have some.
+BeamDemands demands_of(const Setup& setup);
 
 /// Elements in motion under beam bonds: laws/beam.hpp, with laws/beam_plasticity.hpp where bonds
 /// flow; velocity Verlet, with rotations unless the bonds are springs.
@@ -60,6 +63,10 @@ class Beams : public Mechanics {
 
   /// Loads, velocities, elastic energy and plastic work.
   void observe(const Model& model, Observation& observation) const override;
+  double spent(const Model& model) const override;
+  /// Stress, plastic strain and state of the bonds, where they may flow or break.
+  void show(const Model& model, Frame& frame) const override;
+  void finish_move(Model& model) const override { model.swap(columns::pose); }
 
   /// A bond at one instant, seen from element i, after the flow that the instant asks for.
   struct Bond {

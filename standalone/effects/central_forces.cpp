@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
 
@@ -191,21 +192,23 @@ void CentralForces::choose_skin() {
 
 void CentralForces::keep_neighbours() {
   if (!change(parameters_)) return;
-  bool moved = outran_;
+  bool moved = list_outdated_;
+  const std::vector<std::int32_t>& driven = model_.driven();
   const double* places = model_.data(columns::place);
   const double* listed = model_.data(columns::listed_place);
-  for (std::size_t k = 0; k < driven_.size() && !moved; ++k) {
-    const auto i = static_cast<std::size_t>(driven_[k]);
+  for (std::size_t k = 0; k < driven.size() && !moved; ++k) {
+    const auto i = static_cast<std::size_t>(driven[k]);
     const Vector away =
         row_vector(places + 4 * i) - lanes_vector(listed, Model::at(columns::listed_place, i));
     moved = !(dot(away, away) <= 0.25 * skin_ * skin_);
   }
   if (moved) search();
-  outran_ = false;
+  list_outdated_ = false;
 }
 
-void CentralForces::expect_driven(const std::vector<std::int32_t>& elements) {
-  driven_.insert(driven_.end(), elements.begin(), elements.end());
+void CentralForces::finish_move(Model& model) const {
+  model.swap(columns::place);
+  if (model.has(columns::carried_velocity)) model.swap(columns::carried_velocity);
 }
 
 CentralMotion CentralForces::motion(Model& model) const {
@@ -250,7 +253,7 @@ void CentralForces::advance(Model& model, const Step& step) {
 #pragma omp critical(solidem_central_forces)
     {
       closeness_ = std::max(closeness_, mine.closeness);
-      outran_ = outran_ || mine.outran;
+      list_outdated_ = list_outdated_ || mine.outran;
     }
   });
 }
@@ -423,16 +426,19 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
             nearest[own] = std::max(nearest[own], pair->equilibrium / pair->distance);
           });
   });
-  double interactions = 0;
+  double interactions = 0, potential = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    motion.elastic_energy += energy[i];
+    potential += energy[i];
     interactions += pairs[i];
   }
+  observation.energies.add(EnergyLedger::Kind::stored, "potential_energy", potential);
   if (parameters_.dissipation) {
     const double* dissipated = model.data(columns::dissipated_energy);
+    double sum = 0;
     // The power of now has acted for the half step that the velocities are behind.
     for (std::size_t i = 0; i < model.elements(); ++i)
-      motion.dissipated_energy += dissipated[i] + observation.behind * power[i];
+      sum += dissipated[i] + observation.behind * power[i];
+    observation.energies.add(EnergyLedger::Kind::dissipated, "dissipated_energy", sum);
   }
   const double* velocity = model.data(columns::velocity);
   const double* inverse_mass = model.data(columns::inverse_mass);
@@ -452,26 +458,30 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   observation.add("largest_interpenetration", closeness > 0 ? 1 - 1 / closeness : 0.0);
 }
 
-std::vector<double> CentralForces::save() const {
-  std::vector<double> saved{closeness_, outran_ ? 1.0 : 0.0, static_cast<double>(searches_),
-                            static_cast<double>(steps_since_), skin_};
-  for (std::size_t i = 0; i < absent_.size(); ++i)
-    if (absent_[i] != 0) saved.push_back(static_cast<double>(i));
-  return saved;
+void CentralForces::summarise(const Model& /*model*/, Summary& summary) const {
+  summary["neighbour_searches"] = searches();
+  summary["largest_interpenetration"] = largest_interpenetration();
+  summary["allowed_interpenetration"] = allowed_interpenetration();
 }
 
-void CentralForces::restore(const std::vector<double>& saved) {
-  constexpr std::size_t kept = 5;  // figures before the elements that are absent
-  closeness_ = saved.at(0);
-  outran_ = saved.at(1) != 0;
+void CentralForces::show(const Model& /*model*/, Frame& frame) const {
+  const std::vector<int> within_range = neighbours_within_range();
+  frame.add("interactions", {within_range.begin(), within_range.end()});
+}
+
+void CentralForces::state(Archive& archive) {
+  std::vector<std::int32_t> gone;
+  for (std::size_t i = 0; i < absent_.size(); ++i)
+    if (absent_[i] != 0) gone.push_back(static_cast<std::int32_t>(i));
+  archive(closeness_, list_outdated_, searches_, steps_since_, skin_, gone);
+  if (!archive.is_reading()) return;
   // Neighbours as they were listed then: in the columns of places, which are restored by now.
+  const std::size_t searches = searches_;
   absent_.clear();
-  steps_since_ = static_cast<std::int64_t>(saved.at(3));
-  skin_ = saved.at(4);
-  if (saved.size() > kept) absent_.assign(model_.elements(), 0);
+  if (!gone.empty()) absent_.assign(model_.elements(), 0);
   fill_slots();
-  for (std::size_t k = kept; k < saved.size(); ++k) exclude(static_cast<std::int32_t>(saved[k]));
-  searches_ = static_cast<std::size_t>(saved.at(2));
+  for (const std::int32_t element : gone) exclude(element);
+  searches_ = searches;
 }
 
 }  // namespace solidem

@@ -33,8 +33,9 @@ class CentralForces : public Mechanics {
 
   void advance(Model& model, const Step& step) override;
   void observe(const Model& model, Observation& observation) const override;
-  std::vector<double> save() const override;
-  void restore(const std::vector<double>& saved) override;
+  void state(Archive& archive) override;
+  void show(const Model& model, Frame& frame) const override;
+  void summarise(const Model& model, Summary& summary) const override;
 
   std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override;
   double longest_time_step(double squared_frequency) const override;
@@ -44,7 +45,7 @@ class CentralForces : public Mechanics {
   double typical_energy(const Model& /*model*/) const override { return depth_; }
   double releasable_energy(const Model& model) const override;
   void for_each_pair(const Model& model, const PairVisit& visit) const override;
-  void expect_driven(const std::vector<std::int32_t>& elements) override;
+  void finish_move(Model& model) const override;
 
   /// Finds neighbours anew if elements have moved far enough.
   void keep_neighbours();
@@ -95,14 +96,13 @@ class CentralForces : public Mechanics {
   Neighbourhood initial_;                 ///< at the start, where distances are remembered
   std::vector<double> initial_distance_;  ///< of its entries, m
   std::vector<char> absent_;              ///< elements taken out; empty: none
-  std::vector<std::int32_t> driven_;      ///< elements that others move
   double skin_ = 0;                       ///< m
   double depth_ = 0;                      ///< of the deepest well at the start, J
   double stiffening_ = 1;          ///< stiffness at the deepest overlap over that at the start
   bool stiffens_ = false;          ///< whether the law is stiffer there than at rest
   double smallest_stiffness_ = 0;  ///< at the equilibrium, N/m
   double closeness_ = 0;           ///< the largest δ_eq/δ met
-  bool outran_ = false;
+  bool list_outdated_ = false;
   std::size_t searches_ = 0;
   std::int64_t steps_since_ = 0;  ///< the last search
 };

@@ -2,7 +2,12 @@
 #include "effects/contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "effects/assembly.hpp"
+#include "effects/effect_kind.hpp"
+#include "effects/push.hpp"
+#include "keys/rules.hpp"
 #include "laws/contact.hpp"
 #include "neighbours/linked_cells.hpp"
 
@@ -115,7 +120,8 @@ void ElementContacts::search(const double* pose) {
     if (!specimen.domain.is_periodic()) candidate.shift = {};
     // A bond that breaks while pressed hands on what the contact holds.
     if (!was_candidate({i, j}))
-      rupture_.lose(-contact_energy(candidate.stiffness, candidate.distance, chord(candidate)));
+      rupture_.add_fracture_energy(
+          -contact_energy(candidate.stiffness, candidate.distance, chord(candidate)));
     candidates_.push_back(candidate);
   });
   std::sort(candidates_.begin(), candidates_.end(),
@@ -124,30 +130,20 @@ void ElementContacts::search(const double* pose) {
 
 void ElementContacts::advance(Model& model, const Step& step) {
   if (rupture_.broken().empty()) return;
-  const double* inverse_mass = model.data(columns::inverse_mass);
-  double* velocity = model.data(columns::velocity);
-  double* next = model.next(columns::pose);
   std::vector<Candidate> pressed;
   for (const Candidate& candidate : candidates_) {
     const Vector to = chord(candidate);
     if (dot(to, to) >= candidate.distance * candidate.distance) continue;
     const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
-    const auto push = [&](std::int32_t element, const Vector& on_it) {
-      const auto i = static_cast<std::size_t>(element);
-      for (int axis = 0; axis < 3; ++axis) {
-        const double gain = step.kick * inverse_mass[i] * component(on_it, axis);
-        velocity[Model::at(columns::velocity, i, axis)] += gain;
-        next[8 * i + static_cast<std::size_t>(axis)] += step.time_step * gain;
-      }
-    };
-    push(candidate.pair.i, force);
-    push(candidate.pair.j, -force);
+    push(model, step, candidate.pair.i, force);
+    push(model, step, candidate.pair.j, -force);
     if (parameters_.rebonding_pressure &&
         norm(force) > *parameters_.rebonding_pressure * candidate.section)
       pressed.push_back(candidate);
   }
   for (const Candidate& candidate : pressed) bond_anew(candidate);
   // A bond that broke in this step acted once more: its elements touch from the next pose on.
+  const double* next = model.next(columns::pose);
   if (!pressed.empty() || must_search(next)) search(next);
 }
 
@@ -157,7 +153,7 @@ void ElementContacts::bond_anew(const Candidate& candidate) {
   const auto here = slots.find(i, i), there = slots.find(j, j);
   if (!here || !there) return;  // all places are taken: they go on pushing
   const Vector to = chord(candidate);
-  rupture_.lose(contact_energy(candidate.stiffness, candidate.distance, to));
+  rupture_.add_fracture_energy(contact_energy(candidate.stiffness, candidate.distance, to));
   slots.set_neighbour(*here, j);
   slots.set_neighbour(*there, i);
   beams_.bind(model_, i, j, here->row, here->lane, to);
@@ -168,11 +164,12 @@ void ElementContacts::bond_anew(const Candidate& candidate) {
 void ElementContacts::observe(const Model& model, Observation& observation) const {
   ObservedMotion& motion = observation.motion;
   const double* inverse_mass = model.data(columns::inverse_mass);
+  double stored = 0;
   for (const Candidate& candidate : candidates_) {
     const Vector to = chord(candidate);
     if (dot(to, to) >= candidate.distance * candidate.distance) continue;
     const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
-    motion.contact_energy += contact_energy(candidate.stiffness, candidate.distance, to);
+    stored += contact_energy(candidate.stiffness, candidate.distance, to);
     const auto push = [&](std::int32_t element, const Vector& on_it) {
       const auto i = static_cast<std::size_t>(element);
       motion.force[i] += on_it;
@@ -184,60 +181,62 @@ void ElementContacts::observe(const Model& model, Observation& observation) cons
     push(candidate.pair.i, force);
     push(candidate.pair.j, -force);
   }
+  observation.energies.add(EnergyLedger::Kind::stored, "contact_energy", stored);
   if (parameters_.rebonding_pressure)
     observation.add("bonds_formed", static_cast<double>(bonded_anew_));
 }
 
-std::vector<double> ElementContacts::save() const {
-  const auto number = [](auto count) { return static_cast<double>(count); };
-  std::vector<double> saved{
-      number(bonded_anew_),       number(broken_then_),   skin_,
-      number(candidates_.size()), number(nearer_.size()), number(exposed_.size())};
-  const auto put = [&saved](std::initializer_list<double> values) {
-    saved.insert(saved.end(), values);
-  };
-  for (const Candidate& c : candidates_)
-    put({number(c.pair.i), number(c.pair.j), c.distance, c.stiffness, c.section, c.shift.x,
-         c.shift.y, c.shift.z});
-  for (const auto& [pair, distance] : nearer_) put({number(pair.i), number(pair.j), distance});
-  for (std::size_t k = 0; k < exposed_.size(); ++k)
-    put({number(exposed_[k]), searched_at_[k].x, searched_at_[k].y, searched_at_[k].z});
-  return saved;
+std::vector<TimeStepCriterion> ElementContacts::time_step_criteria(const Model& model) const {
+  if (!(stiffening() > 1)) return {};
+  return {{"stiffness of contacts", beams_.time_step_criteria(model).front().value / stiffening()}};
 }
 
-void ElementContacts::restore(const std::vector<double>& saved) {
-  std::size_t at = 0;
-  const auto next = [&] { return saved.at(at++); };
-  const auto count = [&] { return static_cast<std::size_t>(next()); };
-  const auto element = [&] { return static_cast<std::int32_t>(next()); };
-  const auto vector = [&] {
-    const double x = next(), y = next(), z = next();
-    return Vector{x, y, z};
-  };
-  bonded_anew_ = count();
-  broken_then_ = count();
-  skin_ = next();
-  candidates_.resize(count());
-  const std::size_t nearer = count();
-  exposed_.resize(count());
-  searched_at_.resize(exposed_.size());
-  for (Candidate& c : candidates_) {
-    c.pair.i = element();
-    c.pair.j = element();
-    c.distance = next();
-    c.stiffness = next();
-    c.section = next();
-    c.shift = vector();
-  }
-  nearer_.clear();
-  for (std::size_t k = 0; k < nearer; ++k) {
-    const std::int32_t i = element(), j = element();
-    nearer_[{i, j}] = next();
-  }
-  for (std::size_t k = 0; k < exposed_.size(); ++k) {
-    exposed_[k] = element();
-    searched_at_[k] = vector();
-  }
+double ElementContacts::stiffening() const {
+  return std::sqrt(std::max(1.0, parameters_.stiffness_ratio));
+}
+
+void ElementContacts::state(Archive& archive) {
+  archive(bonded_anew_, broken_then_, skin_, candidates_, nearer_, exposed_, searched_at_);
+}
+
+namespace {
+
+std::vector<Key> contact_keys(ContactParameters& p, Reading& /*reading*/) {
+  return {
+      may_have("stiffness_ratio", number(p.stiffness_ratio, positive))
+          .means("stiffness over E S / l of the bond"),
+      may_have("rebonding_pressure", quantity(p.rebonding_pressure, dimension::modulus, positive))
+          .means("force over section of the bond above which a new one is made, free of load; "
+                 "not with `\"scaled-offset\"`")
+          .without("never")};
+}
+
+void finish_contact(const Section& section, ContactParameters& p, Reading& reading) {
+  const auto& plasticity = reading.setup.get<PlasticityParameters>();
+  if (p.rebonding_pressure && plasticity &&
+      plasticity->law == PlasticityParameters::Law::scaled_offset)
+    section.refuse("bonds by the law scaled-offset cannot be made anew",
+                   "law = \"radial-return\" in [plasticity], or no rebonding_pressure");
+}
+
+void plan_contact(const Setup& setup, Plan& plan) {
+  const auto& contact = setup.get<ContactParameters>();
+  if (!contact) return;
+  plan.effects.push_back(
+      {"contact", "[contact]", "", Phase::push, [contact = *contact](Assembly& assembly) {
+         return std::make_unique<ElementContacts>(contact, assembly.need<Beams>(),
+                                                  assembly.need<Rupture>(), assembly.model);
+       }});
+}
+
+}  // namespace
+
+EffectKind contact_kind() {
+  EffectKind kind = single_kind<ContactParameters>("contact", contact_keys, finish_contact);
+  kind.beside = "rupture";
+  kind.problem_alone = "no bond ever breaks";
+  kind.plan = plan_contact;
+  return kind;
 }
 
 }  // namespace solidem

@@ -25,8 +25,10 @@ class ElementContacts : public Effect {
   void advance(Model& model, const Step& step) override;
   /// Forces of the contacts, their energy and their number.
   void observe(const Model& model, Observation& observation) const override;
-  std::vector<double> save() const override;
-  void restore(const std::vector<double>& saved) override;
+  std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override;
+  /// Contacts that take the places of bonds may be stiffer than these; root of the stiffness.
+  double stiffening() const override;
+  void state(Archive& archive) override;
 
  private:
   /// Two elements that touch or may soon.
@@ -36,6 +38,8 @@ class ElementContacts : public Effect {
     double stiffness;  ///< N/m
     double section;    ///< of the bond they had or would have, m²
     Vector shift;      ///< added to the chord across a periodic face, m
+
+    void state(Archive& archive) { archive(pair, distance, stiffness, section, shift); }
   };
   Vector chord(const Candidate& candidate) const;
   /// Candidates among the elements as they stand in a buffer of poses.

@@ -2,6 +2,11 @@
 #include "effects/damage.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "effects/assembly.hpp"
+#include "effects/effect_kind.hpp"
+#include "keys/rules.hpp"
 
 namespace solidem {
 
@@ -11,7 +16,7 @@ Damage::Damage(const DamageParameters& parameters, CentralForces& forces, Model&
   if (parameters_.lip) forces_.find_crack_lips(*parameters_.lip);
 }
 
-void Damage::look() {
+void Damage::advance(Model& /*model*/, const Step& /*step*/) {
   ++steps_;
   const bool looks = parameters_.lip && steps_ % parameters_.every == 0;
   const bool removes =
@@ -54,20 +59,75 @@ void Damage::observe(const Model& model, Observation& observation) const {
     observation.add("removed", static_cast<double>(removed_.size()));
 }
 
-std::vector<double> Damage::save() const {
-  std::vector<double> saved{static_cast<double>(steps_)};
-  saved.insert(saved.end(), removed_.begin(), removed_.end());
-  return saved;
+void Damage::show(const Model& model, Frame& frame) const {
+  const std::size_t elements = model.elements();
+  if (tells_lips()) {
+    std::vector<double> lip;
+    for (std::size_t i = 0; i < elements; ++i) {
+      const double* b = model.data(columns::barycentre) + 4 * i;
+      lip.push_back(b[0] != 0 || b[1] != 0 || b[2] != 0 ? 1 : 0);
+    }
+    frame.add("lip", lip);
+  }
+  if (!removes()) return;
+  std::vector<double> removed(elements, 0);
+  for (const std::int32_t element : removed_) removed[static_cast<std::size_t>(element)] = 1;
+  frame.add("removed", removed);
 }
 
-void Damage::restore(const std::vector<double>& saved) {
-  steps_ = static_cast<std::int64_t>(saved.at(0));
-  removed_.clear();
-  for (std::size_t k = 1; k < saved.size(); ++k) {
-    const auto element = static_cast<std::int32_t>(saved[k]);
-    removed_.push_back(element);
+void Damage::summarise(const Model& /*model*/, Summary& summary) const {
+  summary["elements_removed"] = removed();
+}
+
+void Damage::state(Archive& archive) {
+  archive(steps_, removed_);
+  if (!archive.is_reading()) return;
+  for (const std::int32_t element : removed_)
     model_.data(columns::inverse_mass)[static_cast<std::size_t>(element)] = 0;
-  }
+}
+
+namespace {
+
+std::vector<Key> damage_keys(DamageParameters& p, Reading& /*reading*/) {
+  return {
+      may_have("lip", number(p.lip, positive))
+          .means("C; without it no cracks are told")
+          .without("none"),
+      may_have("every", integer(p.every, 1)).means("steps between two looks for lips"),
+      may_have("minimal_neighbours", integer(p.minimal_neighbours, 1, 1000))
+          .means("elements that keep fewer within range, and fewer than at the start, are taken "
+                 "out: they stand still and act on nobody")
+          .without("none is taken out"),
+      may_have("removal_every", integer(p.removal_every, 1)).means("steps between two such looks")};
+}
+
+void finish_damage(const Section& section, DamageParameters& /*p*/, Reading& /*reading*/) {
+  if (!section.has("lip") && !section.has("minimal_neighbours"))
+    section.refuse("nothing says what is damaged", "lip or minimal_neighbours, or both");
+  if (section.has("every") && !section.has("lip"))
+    section.refuse("every", "no lips are looked for", "a lip beside it");
+  if (section.has("removal_every") && !section.has("minimal_neighbours"))
+    section.refuse("removal_every", "no element is removed", "minimal_neighbours beside it");
+}
+
+void plan_damage(const Setup& setup, Plan& plan) {
+  const auto& damage = setup.get<DamageParameters>();
+  if (!damage) return;
+  plan.effects.push_back({"damage", "[damage]", damage->lip ? "find_crack_lips" : "",
+                          Phase::after_move, [damage = *damage](Assembly& assembly) {
+                            return std::make_unique<Damage>(damage, assembly.need<CentralForces>(),
+                                                            assembly.model);
+                          }});
+}
+
+}  // namespace
+
+EffectKind damage_kind() {
+  EffectKind kind = single_kind<DamageParameters>("damage", damage_keys, finish_damage);
+  kind.beside = "central_forces";
+  kind.problem_alone = "there are no central forces";
+  kind.plan = plan_damage;
+  return kind;
 }
 
 }  // namespace solidem

@@ -18,13 +18,13 @@ class Damage : public Effect {
  public:
   Damage(const DamageParameters& parameters, CentralForces& forces, Model& model);
 
-  void advance(Model& /*model*/, const Step& /*step*/) override {}
   /// Once after each step, when all elements are in their new places.
-  void look();
+  void advance(Model& model, const Step& step) override;
   /// Numbers of lips and of removed elements.
   void observe(const Model& model, Observation& observation) const override;
-  std::vector<double> save() const override;
-  void restore(const std::vector<double>& saved) override;
+  void show(const Model& model, Frame& frame) const override;
+  void summarise(const Model& model, Summary& summary) const override;
+  void state(Archive& archive) override;
 
   bool tells_lips() const { return parameters_.lip.has_value(); }
   bool removes() const { return parameters_.minimal_neighbours > 0; }

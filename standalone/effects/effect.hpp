@@ -2,16 +2,20 @@
 #ifndef SOLIDEM_EFFECTS_EFFECT_HPP
 #define SOLIDEM_EFFECTS_EFFECT_HPP
 
-#include <omp.h>
-
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "model/archive.hpp"
+#include "model/blocks.hpp"
 #include "model/model.hpp"
 
 namespace solidem {
+
+/// The summary of a run, as it is written.
+using Summary = nlohmann::ordered_json;
 
 /// One time step, from `time` to `time + time_step`.
 /// Velocities stand half a step behind the poses, except at the start, where both stand at time 0:
@@ -22,6 +26,36 @@ struct Step {
   double kick;       ///< s, by which velocities move on: time_step, or half of it at the start
 };
 
+/// Where energy is, and where it went, at one instant: each account is a name and an energy, J. An
+/// energy that two effects report under one name is one.
+class EnergyLedger {
+ public:
+  enum class Kind {
+    stored,      ///< may come back: elastic energy
+    dissipated,  ///< since the start: plastic work
+    input        ///< work done on the body from outside since the start
+  };
+
+  void add(Kind kind, const std::string& name, double energy);
+  /// The energy under a name; 0 where nobody reports it.
+  double of(const std::string& name) const;
+  /// Calls visit(kind, name, energy): all that is stored, then dissipated, then put in.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const Kind kind : {Kind::stored, Kind::dissipated, Kind::input})
+      for (const Account& account : accounts_)
+        if (account.kind == kind) visit(kind, account.name, account.energy);
+  }
+
+ private:
+  struct Account {
+    Kind kind;
+    std::string name;
+    double energy;
+  };
+  std::vector<Account> accounts_;
+};
+
 /// Elements in motion at one instant, velocities brought to the time of the poses.
 struct ObservedMotion {
   std::vector<Vector> force;             ///< of its neighbours on each element, N
@@ -29,12 +63,6 @@ struct ObservedMotion {
   std::vector<Vector> velocity;          ///< m/s
   std::vector<Vector> angular_velocity;  ///< rad/s
   double kinetic_energy = 0;             ///< of the motion that no grip imposes, J
-  double elastic_energy = 0;             ///< of the bonds, or the potential of central forces, J
-  double contact_energy = 0;             ///< stored in contacts, J
-  double plastic_work = 0;               ///< of the bonds since the start, J
-  double dissipated_energy = 0;          ///< by drag between elements since the start, J
-  double fracture_energy = 0;            ///< lost where bonds broke or formed, J
-  double external_work = 0;              ///< done by the grips since the start, J
 };
 
 /// Heat at one instant.
@@ -48,10 +76,48 @@ struct Observation {
   double time = 0;    ///< s, of the poses
   double behind = 0;  ///< s, by which the velocities are behind the poses
   ObservedMotion motion;
+  EnergyLedger energies;  ///< of the motion, besides the kinetic energy
   ObservedHeat heat;
   std::vector<std::pair<std::string, double>> values;  ///< further columns of the history
 
   void add(std::string name, double value) { values.emplace_back(std::move(name), value); }
+};
+
+/// What a frame of the trajectory shows besides where elements are.
+class Frame {
+ public:
+  struct Field {
+    std::string name;
+    std::vector<double> values;
+    bool of_bonds;
+  };
+  /// `bonds`: those that frames draw, in their order: the bonds of the start.
+  explicit Frame(const std::vector<Pair>& bonds) : bonds_(bonds) {}
+
+  const std::vector<Pair>& bonds() const { return bonds_; }
+  const std::vector<Field>& fields() const { return fields_; }
+  /// One value for each element.
+  void add(const std::string& name, std::vector<double> values) {
+    fields_.push_back({name, std::move(values), false});
+  }
+  /// One value for each bond.
+  void add_of_bonds(const std::string& name, std::vector<double> values) {
+    fields_.push_back({name, std::move(values), true});
+  }
+
+ private:
+  const std::vector<Pair>& bonds_;
+  std::vector<Field> fields_;
+};
+
+/// When in a step an effect acts, in this order.
+enum class Phase {
+  move,          ///< forces between elements, and the motion under them
+  change_pairs,  ///< bonds break, after the step that found them broken
+  push,          ///< further forces, on elements that have moved: effects/push.hpp
+  constrain,     ///< what is imposed on the motion; then the new poses hold
+  after_move,    ///< looks at the new poses
+  heat           ///< temperatures
 };
 
 /// A bound on the time step, and what sets it.
@@ -71,24 +137,31 @@ class Observer {
 class Effect : public Observer {
  public:
   virtual void advance(Model& model, const Step& step) = 0;
+  void observe(const Model& /*model*/, Observation& /*observation*/) const override {}
+
+  /// Makes ready for a run of so long, s. Throws InputError where that makes no sense.
+  virtual void start(const Model& /*model*/, double /*duration*/) {}
+
+  /// Bounds on the time step that it brings, besides those of the forces between elements.
+  virtual std::vector<TimeStepCriterion> time_step_criteria(const Model& /*model*/) const {
+    return {};
+  }
+  /// By how much stiffness may grow in the run beyond that of the start.
+  virtual double stiffening() const { return 1; }
+
   /// Work done on the body from outside since the start, J.
   virtual double work() const { return 0; }
-  /// Sums kept since the start that belong into a checkpoint beside the dynamic columns.
-  virtual std::vector<double> save() const { return {}; }
-  virtual void restore(const std::vector<double>& /*saved*/) {}
-};
+  /// Energy that went from motion into what does not come back, J, as far as the balance that stops
+  /// a diverging run needs it.
+  virtual double spent(const Model& /*model*/) const { return 0; }
 
-/// Calls work(first, last) on all threads for ranges that together hold each block once. Below
-/// `least_blocks` a thread would cost more than it saves, and one thread does it all.
-template <class Work>
-void for_blocks(std::size_t blocks, std::size_t least_blocks, const Work& work) {
-#pragma omp parallel if (blocks >= least_blocks)
-  {
-    const auto threads = static_cast<std::size_t>(omp_get_num_threads());
-    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-    work(blocks * thread / threads, blocks * (thread + 1) / threads);
-  }
-}
+  /// Visits all that must be kept for a run to go on exactly, beside the dynamic columns.
+  virtual void state(Archive& /*archive*/) {}
+
+  /// Adds what it shows to a frame of the trajectory, and to a run's summary.
+  virtual void show(const Model& /*model*/, Frame& /*frame*/) const {}
+  virtual void summarise(const Model& /*model*/, Summary& /*summary*/) const {}
+};
 
 }  // namespace solidem
 

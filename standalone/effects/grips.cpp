@@ -3,6 +3,11 @@
 
 #include <algorithm>
 
+#include "effects/assembly.hpp"
+#include "effects/effect_kind.hpp"
+#include "effects/push.hpp"
+#include "keys/rules.hpp"
+
 namespace solidem {
 
 namespace {
@@ -90,9 +95,7 @@ void Grip::advance(Model& model, const Step& step) {
       for (std::size_t k = 0; k < elements_.size(); ++k) {
         if (!is_present(model, elements_[k])) continue;
         const auto i = static_cast<std::size_t>(elements_[k]);
-        velocity[Model::at(columns::velocity, i, axis)] += gain;
-        next[i][axis] += gain * step.time_step;
-        if (carried != nullptr) carried[4 * i + static_cast<std::size_t>(axis)] += gain;
+        kick(model, step, i, axis, gain);
         // The force at either end of a step works over half of it.
         const double mean_force = 0.5 * (force + control.function(after));
         work_ += mean_force * mass_[k] / total_mass * (next[i][axis] - places[i][axis]);
@@ -124,7 +127,7 @@ void Grip::observe(const Model& model, Observation& observation) const {
       component(grip_force, axis) = control.function(observation.time);
     }
   }
-  observation.motion.external_work += work;
+  observation.energies.add(EnergyLedger::Kind::input, "external_work", work);
   correct_motion(model, grip_force, observation);
   for (int axis = 0; axis < 3; ++axis)
     observation.add("grip." + parameters_.name + ".force_" + axis_names[axis],
@@ -160,13 +163,73 @@ void Grip::correct_motion(const Model& model, const Vector& grip_force,
   }
 }
 
-std::vector<double> Grip::save() const {
-  return {work_, last_displacement_[0], last_displacement_[1], last_displacement_[2]};
+void Grip::state(Archive& archive) {
+  archive(work_, last_displacement_);
 }
 
-void Grip::restore(const std::vector<double>& saved) {
-  work_ = saved.at(0);
-  last_displacement_ = {saved.at(1), saved.at(2), saved.at(3)};
+namespace {
+
+/// What one of displacement, velocity and force imposes along x, y and z.
+Rule controls(std::array<AxisControl, 3>& axes, AxisControl::Kind kind,
+              const Dimension& dimension) {
+  const std::string expected = describe(dimension, anything) + ", a function of time, or \"free\"";
+  return triple(expected, [&axes, kind, dimension, expected](const Value& entry, int k) {
+    const toml::node& node = entry.node();
+    if (node.is_string() && node.as_string()->get() == "free") return;
+    AxisControl& control = axes[static_cast<std::size_t>(k)];
+    if (control.kind != AxisControl::Kind::free)
+      entry.refuse(std::string("the grip is controlled twice along ") + "xyz"[k],
+                   "\"free\" in all but one of displacement, velocity and force");
+    control = {kind, read_function(entry, dimension, anything)};
+  });
+}
+
+std::vector<Key> grip_keys(GripParameters& p, Reading& reading) {
+  using Kind = AxisControl::Kind;
+  return {
+      must_have("name", name(p.name, reading.taken)).means("names the columns `grip.NAME.…`"),
+      must_have("region", region(p.region, reading.regions)),
+      may_have("displacement", controls(p.axis, Kind::displacement, dimension::length))
+          .without("free"),
+      may_have("velocity", controls(p.axis, Kind::velocity, dimension::velocity)).without("free"),
+      may_have("force", controls(p.axis, Kind::force, dimension::force))
+          .means("for the whole grip")
+          .without("free"),
+      may_have("rotation", choice<bool>(p.rotation_fixed, {{"fixed", true}, {"free", false}}))};
+}
+
+bool is_controlled(const AxisControl& control) {
+  return control.kind != AxisControl::Kind::free;
+}
+
+void finish_grip(const Section& section, GripParameters& p, Reading& /*reading*/) {
+  if (std::none_of(p.axis.begin(), p.axis.end(), is_controlled) && !p.rotation_fixed)
+    section.refuse("the grip does nothing",
+                   "a displacement, velocity or force, or rotation = \"fixed\"");
+}
+
+std::unique_ptr<Effect> make_grip(const GripParameters& grip, Assembly& assembly) {
+  std::vector<std::int32_t> elements =
+      select_some(assembly.selections, "grip." + grip.name, grip.region, assembly.specimen());
+  assembly.claim("[[grips]]", grip.name, elements);
+  if (std::any_of(grip.axis.begin(), grip.axis.end(), is_controlled))
+    assembly.model.note_driven(elements);
+  return std::make_unique<Grip>(grip, std::move(elements), assembly.mass, assembly.model);
+}
+
+void plan_grips(const Setup& setup, Plan& plan) {
+  for (const GripParameters& grip : setup.all<GripParameters>())
+    plan.effects.push_back({"grip " + grip.name, "[[grips]]", "", Phase::constrain,
+                            [grip](Assembly& assembly) { return make_grip(grip, assembly); }});
+}
+
+}  // namespace
+
+EffectKind grips_kind() {
+  EffectKind kind = list_kind<GripParameters>("grips", grip_keys, finish_grip);
+  kind.needs = Provides::motion;
+  kind.plan = plan_grips;
+  return kind;
 }
 
 }  // namespace solidem

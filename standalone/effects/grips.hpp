@@ -30,8 +30,7 @@ class Grip : public Effect {
   /// Velocities of the gripped elements, work, force and displacement of the grip.
   void observe(const Model& model, Observation& observation) const override;
   double work() const override { return work_; }
-  std::vector<double> save() const override;
-  void restore(const std::vector<double>& saved) override;
+  void state(Archive& archive) override;
 
   const std::vector<std::int32_t>& elements() const { return elements_; }
 

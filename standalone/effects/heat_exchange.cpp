@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "effects/heat_exchange.hpp"
 
+#include "effects/effect_kind.hpp"
+#include "effects/heat_places.hpp"
+#include "keys/rules.hpp"
 #include "laws/heat_exchange.hpp"
 
 namespace solidem {
@@ -57,6 +60,37 @@ void HeatExchange::largest_conductances(std::vector<ElementValue>& conductances)
 void HeatExchange::observe(const Model& model, Observation& observation) const {
   observation.add(column() + ".value", outside_(observation.time));
   HeatLoad::observe(model, observation);
+}
+
+namespace {
+
+std::vector<Key> convection_keys(ConvectionParameters& p, Reading& reading) {
+  return {must_have("name", name(p.name, reading.taken)).means("names its columns"),
+          must_have("wall", wall(p.wall)),
+          must_have("coefficient", function(p.coefficient, dimension::heat_transfer, not_negative)),
+          must_have("temperature", function(p.temperature, dimension::temperature, not_negative))
+              .means("of the fluid")};
+}
+
+void plan_convections(const Setup& setup, Plan& plan) {
+  for (const ConvectionParameters& convection : setup.all<ConvectionParameters>())
+    plan.effects.push_back(
+        {"convection " + convection.name, "[[convections]]", "", Phase::heat,
+         [convection](Assembly& assembly) {
+           return std::make_unique<HeatExchange>(
+               convection, faces_of(assembly, "convections", convection.name, convection.wall),
+               assembly.need<Conduction>());
+         }});
+}
+
+}  // namespace
+
+EffectKind convections_kind() {
+  EffectKind kind = list_kind<ConvectionParameters>("convections", convection_keys,
+                                                    as_read<ConvectionParameters>);
+  kind.needs = Provides::heat;
+  kind.plan = plan_convections;
+  return kind;
 }
 
 }  // namespace solidem

@@ -48,8 +48,7 @@ class HeatLoad : public Effect {
   void count(double heat) { heat_ += heat; }
 
   void observe(const Model& model, Observation& observation) const override;
-  std::vector<double> save() const override { return {heat_}; }
-  void restore(const std::vector<double>& saved) override { heat_ = saved.at(0); }
+  void state(Archive& archive) override { archive(heat_); }
 
  private:
   std::string column_;

@@ -24,6 +24,9 @@ class HeatSource : public HeatLoad {
 
   bool is_steady() const override;
 
+  /// Refuses a source that heats nothing all the time.
+  void start(const Model& model, double duration) override;
+
   /// Whether it heats anything at a time.
   bool reaches(double time) const;
 

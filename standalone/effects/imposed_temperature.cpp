@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "effects/imposed_temperature.hpp"
 
+#include "effects/effect_kind.hpp"
+#include "effects/heat_exchange.hpp"
+#include "effects/heat_places.hpp"
+#include "keys/rules.hpp"
+
 namespace solidem {
 
 ImposedTemperature::ImposedTemperature(const ImposedTemperatureParameters& parameters,
@@ -26,6 +31,63 @@ void ImposedTemperature::observe(const Model& /*model*/, Observation& observatio
   observation.heat.heat_input += heat_;
   observation.add("temperature." + parameters_.name + ".value", temperature(observation.time));
   observation.add("temperature." + parameters_.name + ".heat", heat_);
+}
+
+namespace {
+
+std::vector<Key> temperature_keys(ImposedTemperatureParameters& p, Reading& reading) {
+  return {
+      must_have("name", name(p.name, reading.taken)).means("names its columns"),
+      may_have("region", region(p.region, reading.regions))
+          .means("its elements have this temperature")
+          .without("either this"),
+      may_have("wall", wall(p.wall))
+          .means("its surface has this temperature, heat flows from it to the elements' centres")
+          .without("or this"),
+      must_have("value", function(p.temperature, dimension::temperature, not_negative))};
+}
+
+void finish_temperature(const Section& section, ImposedTemperatureParameters& /*p*/,
+                        Reading& /*reading*/) {
+  section.exactly_one_of({"region", "wall"});
+}
+
+std::unique_ptr<Effect> make_held_wall(const ImposedTemperatureParameters& imposed,
+                                       Assembly& assembly) {
+  return std::make_unique<HeatExchange>(
+      imposed, faces_of(assembly, "temperatures", imposed.name, imposed.wall),
+      assembly.need<Conduction>());
+}
+
+std::unique_ptr<Effect> make_held_elements(const ImposedTemperatureParameters& imposed,
+                                           Assembly& assembly) {
+  std::vector<std::int32_t> elements =
+      select_conducting(assembly, "temperature." + imposed.name, imposed.region);
+  assembly.claim("[[temperatures]]", imposed.name, elements);
+  return std::make_unique<ImposedTemperature>(imposed, std::move(elements),
+                                              assembly.need<Conduction>(), assembly.model);
+}
+
+void plan_temperatures(const Setup& setup, Plan& plan) {
+  // Elements that are held come last: they are set after others have changed them.
+  for (const bool of_wall : {true, false})
+    for (const ImposedTemperatureParameters& imposed : setup.all<ImposedTemperatureParameters>())
+      if (imposed.wall.empty() != of_wall)
+        plan.effects.push_back({"temperature " + imposed.name, "[[temperatures]]", "", Phase::heat,
+                                [imposed, of_wall](Assembly& assembly) {
+                                  return of_wall ? make_held_wall(imposed, assembly)
+                                                 : make_held_elements(imposed, assembly);
+                                }});
+}
+
+}  // namespace
+
+EffectKind temperatures_kind() {
+  EffectKind kind =
+      list_kind<ImposedTemperatureParameters>("temperatures", temperature_keys, finish_temperature);
+  kind.needs = Provides::heat;
+  kind.plan = plan_temperatures;
+  return kind;
 }
 
 }  // namespace solidem

@@ -27,8 +27,7 @@ class ImposedTemperature : public Effect {
 
   void advance(Model& model, const Step& step) override;
   void observe(const Model& model, Observation& observation) const override;
-  std::vector<double> save() const override { return {heat_}; }
-  void restore(const std::vector<double>& saved) override { heat_ = saved.at(0); }
+  void state(Archive& archive) override { archive(heat_); }
 
  private:
   ImposedTemperatureParameters parameters_;

@@ -14,7 +14,7 @@ namespace solidem {
 class Mechanics : public Effect {
  public:
   /// Bounds on the time step from stiffness and inertia.
-  virtual std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const = 0;
+  std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override = 0;
 
   /// The longest stable time step, s, of a body whose largest squared frequency at rest is this,
   /// 1/s².
@@ -38,8 +38,8 @@ class Mechanics : public Effect {
   using PairVisit = std::function<void(std::int32_t, std::int32_t, const Vector&)>;
   virtual void for_each_pair(const Model& model, const PairVisit& visit) const = 0;
 
-  /// Told which elements others will move: what a grip imposes on.
-  virtual void expect_driven(const std::vector<std::int32_t>& /*elements*/) {}
+  /// Makes the new poses those that hold, once all that moves elements has acted.
+  virtual void finish_move(Model& model) const = 0;
 };
 
 }  // namespace solidem

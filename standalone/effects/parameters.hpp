@@ -59,6 +59,7 @@ struct BeamParameters {
   RadiusFrom radius_from = RadiusFrom::mean;
   std::optional<Anisotropy> anisotropy;
   std::optional<Fibres> fibres;
+  std::optional<double> poisson_ratio{};  ///< where it is given in place of the shear modulus
 };
 
 /// Plastic flow of beam bonds.
@@ -68,8 +69,9 @@ struct PlasticityParameters {
     scaled_offset  ///< of the thesis: flows back only beyond the largest strain before
   };
   Law law = Law::radial_return;
-  double yield_strain = 0;     ///< σ_y / E
-  double hardening_ratio = 0;  ///< H / E
+  double yield_strain = 0;                                    ///< σ_y / E
+  double hardening_ratio = 0;                                 ///< H / E
+  std::optional<double> yield_stress{}, hardening_modulus{};  ///< Pa, where these are given instead
 };
 
 /// Rupture of beam bonds; at least one of the bounds is given.
@@ -77,6 +79,7 @@ struct RuptureParameters {
   std::optional<double> elastic_strain;  ///< σ_rupt / E
   std::optional<double> strain;          ///< of elastic and plastic strain together
   int minimal_bonds = 0;                 ///< elements that lost bonds and keep fewer are removed
+  std::optional<double> stress{};        ///< σ_rupt, Pa, where it is given instead
 };
 
 /// Contact of elements that have lost bonds.

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
+#include "effects/assembly.hpp"
+#include "effects/effect_kind.hpp"
+#include "keys/rules.hpp"
 #include "laws/contact.hpp"
 
 namespace solidem {
@@ -95,41 +99,78 @@ bool Rupture::is_removed(std::int32_t element) const {
 }
 
 void Rupture::observe(const Model& /*model*/, Observation& observation) const {
-  observation.motion.fracture_energy = fracture_energy_;
+  observation.energies.add(EnergyLedger::Kind::dissipated, "fracture_energy", fracture_energy_);
   observation.add("broken_bonds", static_cast<double>(broken_.size()));
   if (parameters_.minimal_bonds > 0)
     observation.add("removed_elements", static_cast<double>(removed_.size()));
 }
 
-std::vector<double> Rupture::save() const {
-  std::vector<double> saved{fracture_energy_, first_time_, static_cast<double>(broken_.size()),
-                            static_cast<double>(removed_.size())};
-  for (const BrokenBond& bond : broken_)
-    saved.insert(saved.end(), {static_cast<double>(bond.pair.i), static_cast<double>(bond.pair.j),
-                               bond.contact_distance, bond.axial_stiffness, bond.section});
-  for (const std::int32_t element : removed_) saved.push_back(element);
-  const std::int32_t* neighbours = model_.slots().neighbours();
-  saved.insert(saved.end(), neighbours, neighbours + model_.slots().rows() * lanes);
-  return saved;
+void Rupture::summarise(const Model& /*model*/, Summary& summary) const {
+  summary["bonds_broken"] = broken_.size();
+  summary["elements_removed"] = removed_.size();
+  if (!broken_.empty()) summary["first_rupture"] = {{"time", first_time_}};
 }
 
-void Rupture::restore(const std::vector<double>& saved) {
-  std::size_t at = 0;
-  const auto next = [&] { return saved.at(at++); };
-  fracture_energy_ = next();
-  first_time_ = next();
-  broken_.resize(static_cast<std::size_t>(next()));
-  removed_.resize(static_cast<std::size_t>(next()));
-  for (BrokenBond& bond : broken_) {
-    bond.pair.i = static_cast<std::int32_t>(next());
-    bond.pair.j = static_cast<std::int32_t>(next());
-    bond.contact_distance = next();
-    bond.axial_stiffness = next();
-    bond.section = next();
+void Rupture::state(Archive& archive) {
+  archive(fracture_energy_, first_time_, broken_, removed_);
+  for (std::size_t k = 0; k < model_.slots().rows() * lanes; ++k) {
+    const Slots::Place place = Slots::place_of(k);
+    std::int32_t neighbour = model_.slots().neighbour_of(place);
+    archive(neighbour);
+    if (archive.is_reading()) model_.slots().set_neighbour(place, neighbour);
   }
-  for (std::int32_t& element : removed_) element = static_cast<std::int32_t>(next());
-  for (std::size_t k = 0; k < model_.slots().rows() * lanes; ++k)
-    model_.slots().set_neighbour(Slots::place_of(k), static_cast<std::int32_t>(next()));
+}
+
+namespace {
+
+std::vector<Key> rupture_keys(RuptureParameters& p, Reading& /*reading*/) {
+  return {may_have("stress", quantity(p.stress, dimension::modulus, positive))
+              .means("equivalent stress at which a beam breaks")
+              .without("one of both, or both"),
+          may_have("strain", number(p.strain, positive))
+              .means("the same as a strain of tension, σ_e / E and the plastic strain together")
+              .without(""),
+          may_have("minimal_bonds", integer(p.minimal_bonds, 0))
+              .means("an element that has lost bonds and keeps fewer is removed: it loses the "
+                     "others and stays where it is")};
+}
+
+void finish_rupture(const Section& section, RuptureParameters& p, Reading& reading) {
+  if (!section.has("stress") && !section.has("strain"))
+    section.refuse("nothing says when a bond breaks", "stress or strain, or both");
+  const auto& beams = reading.setup.get<BeamParameters>();
+  if (!beams) return;  // refused as a whole
+  if (beams->precision == BeamParameters::Precision::mixed)
+    section.refuse("beams in mixed precision are elastic", "precision = \"double\" in [beams]");
+  if (p.stress) p.elastic_strain = *p.stress / beams->young_modulus;
+}
+
+void plan_rupture(const Setup& setup, Plan& plan) {
+  const auto& rupture = setup.get<RuptureParameters>();
+  if (!rupture) return;
+  plan.effects.push_back(
+      {"rupture", "[rupture]", "", Phase::change_pairs, [rupture = *rupture](Assembly& assembly) {
+         return std::make_unique<Rupture>(rupture, assembly.need<Beams>(), assembly.model);
+       }});
+}
+
+}  // namespace
+
+EffectKind rupture_kind() {
+  EffectKind kind = single_kind<RuptureParameters>("rupture", rupture_keys, finish_rupture);
+  kind.beside = "beams";
+  kind.problem_alone = "there are no beams";
+  kind.plan = plan_rupture;
+  kind.explain = [](const Setup& setup, const Specimen&, nlohmann::ordered_json& values) {
+    const RuptureParameters& rupture = *setup.get<RuptureParameters>();
+    const auto number = [](const std::optional<double>& value) {
+      return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+    };
+    values["elastic_strain"] = number(rupture.elastic_strain);
+    values["strain"] = number(rupture.strain);
+    values["minimal_bonds"] = rupture.minimal_bonds;
+  };
+  return kind;
 }
 
 }  // namespace solidem

@@ -15,6 +15,8 @@ struct BrokenBond {
   double contact_distance;  ///< at which its elements touch from now on, m
   double axial_stiffness;   ///< E S / l, N/m
   double section;           ///< S, m²
+
+  void state(Archive& archive) { archive(pair, contact_distance, axial_stiffness, section); }
 };
 
 /// Takes bonds away that reached their limit in the step, and elements that are left with too few.
@@ -30,8 +32,8 @@ class Rupture : public Effect {
   /// Broken bonds, removed elements and the fracture energy.
   void observe(const Model& model, Observation& observation) const override;
   /// Besides the columns of the slots: the slots' neighbours, and what is kept here.
-  std::vector<double> save() const override;
-  void restore(const std::vector<double>& saved) override;
+  void state(Archive& archive) override;
+  void summarise(const Model& model, Summary& summary) const override;
 
   /// Bonds that broke, in the order in which they did.
   const std::vector<BrokenBond>& broken() const { return broken_; }
@@ -41,7 +43,7 @@ class Rupture : public Effect {
   double first_time() const { return first_time_; }
 
   /// Enters energy that is lost when a bond forms anew; negative what a contact takes over.
-  void lose(double energy) { fracture_energy_ += energy; }
+  void add_fracture_energy(double energy) { fracture_energy_ += energy; }
 
  private:
   void break_bond(Pair pair);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "effects/mechanics.hpp"
-#include "engine/setup.hpp"
+#include "effects/setup.hpp"
 
 namespace solidem {
 

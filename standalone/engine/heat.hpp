@@ -8,8 +8,7 @@
 
 #include "effects/conduction.hpp"
 #include "effects/imposed_temperature.hpp"
-#include "engine/selections.hpp"
-#include "engine/setup.hpp"
+#include "effects/setup.hpp"
 
 namespace solidem {
 
@@ -24,14 +23,11 @@ ConductionGeometry scaled_geometry(const ConductionParameters& parameters, const
 /// All that conducts and heats in a simulation, and what carries it through time.
 class Heat {
  public:
-  /// The columns of the plan must be there. Throws InputError for a wall that the body lacks, and
-  /// for a region without elements that conduct.
-  Heat(const Setup& setup, ConductionGeometry geometry, const std::vector<std::size_t>& material,
-       Model& model, Selections& selections);
+  /// `effects`: those of the phase of heat, in their order; one of them conducts.
+  Heat(const ConductionParameters& parameters, double area_factor, std::vector<Effect*> effects,
+       Model& model);
   ~Heat();
 
-  /// Conduction, its loads and what is imposed, in the order of the plan.
-  const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
   const Conduction& conduction() const { return *conduction_; }
   const std::vector<HeatLoad*>& loads() const { return loads_; }
   double area_factor() const { return area_factor_; }
@@ -44,8 +40,8 @@ class Heat {
   /// The longest stable explicit step, s.
   double limit() const { return limit_; }
 
-  /// Makes ready to advance, for so long, s. Throws InputError for a source outside the body.
-  void start(double duration);
+  /// Makes ready to advance.
+  void start();
   /// Makes a time step; the temperatures after it are those of the model.
   void advance(const Step& step);
 
@@ -54,10 +50,9 @@ class Heat {
 
  private:
   ConductionParameters parameters_;
-  std::vector<HeatSourceParameters> sources_;
   Model& model_;
   double area_factor_;
-  std::vector<std::unique_ptr<Effect>> effects_;
+  std::vector<Effect*> effects_;
   Conduction* conduction_ = nullptr;
   std::vector<HeatLoad*> loads_;
   std::vector<ImposedTemperature*> imposed_;

@@ -9,9 +9,7 @@
 #include <optional>
 
 #include "effects/beams.hpp"
-#include "effects/damage.hpp"
 #include "effects/kernels/kernels.hpp"
-#include "effects/rupture.hpp"
 #include "engine/heat.hpp"
 #include "model/error.hpp"
 #include "output/checkpoint.hpp"
@@ -67,74 +65,6 @@ nlohmann::ordered_json figures_of(const HeatIntegrator& integrator) {
           {"implicit_steps", s.implicit_steps}};
 }
 
-/// What a frame shows of the bonds where they may flow or break: in the order of `pairs`, the bonds
-/// at the start.
-struct BondFields {
-  bool is_wanted = false;
-  std::vector<double> stress;             ///< σ_e, Pa
-  std::vector<double> plastic_strain;     ///< κ
-  std::vector<double> intact;             ///< 1, or 0 of a bond that broke
-  std::vector<double> broken_of_element;  ///< share of the bonds that an element has lost
-};
-
-BondFields bond_fields(const Simulation& simulation, const std::vector<Pair>& pairs) {
-  BondFields fields;
-  fields.is_wanted = simulation.setup().plasticity || simulation.setup().rupture;
-  if (!fields.is_wanted) return fields;
-  const Model& model = simulation.model();
-  std::vector<double> had(model.elements(), 0);
-  fields.broken_of_element.assign(model.elements(), 0);
-  for (const Pair& pair : pairs) {
-    const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
-    const auto place = model.slots().find(pair.i, pair.j);
-    fields.intact.push_back(place ? 1 : 0);
-    had[i] += 1;
-    had[j] += 1;
-    if (!place) {
-      fields.broken_of_element[i] += 1;
-      fields.broken_of_element[j] += 1;
-      fields.stress.push_back(0);
-      fields.plastic_strain.push_back(0);
-      continue;
-    }
-    const Beams::Bond bond =
-        simulation.beams()->bond(model, pair.i, pair.j, place->row, place->lane);
-    const double modulus = bond.rigidity().axial / bond.section();
-    fields.stress.push_back(modulus * bond.response.strain);
-    fields.plastic_strain.push_back(bond.response.history.strain);
-  }
-  for (std::size_t i = 0; i < had.size(); ++i)
-    if (had[i] > 0) fields.broken_of_element[i] /= had[i];
-  return fields;
-}
-
-/// What a frame shows of the elements under central forces.
-struct NeighbourFields {
-  std::vector<double> interactions;  ///< neighbours within range
-  std::vector<double> lip;           ///< 1 where an element stands on a crack's lip, else 0
-  std::vector<double> removed;       ///< 1 where it was taken out, else 0
-};
-
-NeighbourFields neighbour_fields(const Simulation& simulation) {
-  NeighbourFields fields;
-  if (simulation.central_forces() == nullptr) return fields;
-  const Model& model = simulation.model();
-  for (const int count : simulation.central_forces()->neighbours_within_range())
-    fields.interactions.push_back(count);
-  const Damage* damage = simulation.damage();
-  if (damage == nullptr) return fields;
-  const auto elements = static_cast<std::int32_t>(model.elements());
-  if (damage->tells_lips())
-    for (std::int32_t i = 0; i < elements; ++i) {
-      const double* b = model.data(columns::barycentre) + std::ptrdiff_t{4} * i;
-      fields.lip.push_back(b[0] != 0 || b[1] != 0 || b[2] != 0 ? 1 : 0);
-    }
-  if (damage->removes())
-    for (std::int32_t i = 0; i < elements; ++i)
-      fields.removed.push_back(damage->is_removed(i) ? 1 : 0);
-  return fields;
-}
-
 /// First multiple of an interval after a step.
 std::int64_t next_multiple(std::int64_t step, std::int64_t interval) {
   return (step / interval + 1) * interval;
@@ -148,7 +78,7 @@ class Recorder {
     // Bonds are drawn where they carry loads, those that have broken as well; without motion their
     // list is not worth its memory.
     // Under central forces, neighbours change: what is drawn are the elements.
-    if (simulation.beams() != nullptr && simulation.setup().output.frames > 0)
+    if (simulation.find<Beams>() != nullptr && simulation.setup().output.frames > 0)
       bonds_ = simulation.model().slots().pairs();
     if (options.resume) restore();
     first_step_ = simulation.step();
@@ -256,20 +186,10 @@ class Recorder {
     }
     if (model.has(columns::temperature))
       fields.push_back({"temperature", 1, model.data(columns::temperature)});
-    if (model.has(columns::plastic_work))
-      fields.push_back({"plastic_work", 1, model.data(columns::plastic_work)});
-    const NeighbourFields neighbours = neighbour_fields(simulation_);
-    if (!neighbours.interactions.empty())
-      fields.push_back({"interactions", 1, neighbours.interactions.data()});
-    if (!neighbours.lip.empty()) fields.push_back({"lip", 1, neighbours.lip.data()});
-    if (!neighbours.removed.empty()) fields.push_back({"removed", 1, neighbours.removed.data()});
-    const BondFields bonds = bond_fields(simulation_, bonds_);
-    if (bonds.is_wanted) {
-      fields.push_back({"broken_bonds", 1, bonds.broken_of_element.data()});
-      fields.push_back({"stress", 1, bonds.stress.data(), true});
-      fields.push_back({"plastic_strain", 1, bonds.plastic_strain.data(), true});
-      fields.push_back({"intact", 1, bonds.intact.data(), true});
-    }
+    Frame frame(bonds_);
+    for (const auto& effect : simulation_.effects()) effect->show(model, frame);
+    for (const Frame::Field& field : frame.fields())
+      fields.push_back({field.name, 1, field.values.data(), field.of_bonds});
     trajectory_->write_frame(simulation_.step(), simulation_.time(), fields);
   }
 
@@ -307,27 +227,17 @@ class Recorder {
     summary["wall_seconds"] = seconds_;
     summary["nanoseconds_per_bond_step"] =
         bond_steps > 0 ? nlohmann::ordered_json(seconds_["steps"] * 1e9 / bond_steps) : nullptr;
-    if (const Rupture* rupture = simulation_.rupture()) {
-      summary["bonds_broken"] = rupture->broken().size();
-      summary["elements_removed"] = rupture->removed();
-      if (!rupture->broken().empty()) summary["first_rupture"] = {{"time", rupture->first_time()}};
-    }
-    if (const CentralForces* forces = simulation_.central_forces()) {
-      summary["neighbour_searches"] = forces->searches();
-      summary["largest_interpenetration"] = forces->largest_interpenetration();
-      summary["allowed_interpenetration"] = forces->allowed_interpenetration();
-    }
-    if (const Damage* damage = simulation_.damage())
-      summary["elements_removed"] = damage->removed();
+    for (const auto& effect : simulation_.effects()) effect->summarise(model, summary);
     if (const Heat* heat = simulation_.heat()) {
-      summary["conduction"] = {{"law", name_of(simulation_.setup().conduction->law)},
-                               {"area_factor", heat->area_factor()}};
+      summary["conduction"] = {
+          {"law", name_of(simulation_.setup().get<ConductionParameters>()->law)},
+          {"area_factor", heat->area_factor()}};
       if (heat->integrator() != nullptr) summary["integrator"] = figures_of(*heat->integrator());
     }
     summary["peak_memory_bytes"] = peak_memory_bytes();
     summary["bytes_per_element"] =
         static_cast<double>(model.bytes()) / static_cast<double>(model.elements());
-    const auto& beams = simulation_.setup().beams;
+    const auto& beams = simulation_.setup().get<BeamParameters>();
     const bool is_mixed = beams && beams->precision == BeamParameters::Precision::mixed;
     summary["precision"] = is_mixed ? "mixed" : "double";
     summary["threads"] = omp_get_max_threads();

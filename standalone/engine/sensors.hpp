@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "effects/heat_load.hpp"
-#include "engine/setup.hpp"
+#include "effects/setup.hpp"
 
 namespace solidem {
 

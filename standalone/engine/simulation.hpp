@@ -9,18 +9,15 @@
 #include <vector>
 
 #include "effects/effect.hpp"
-#include "engine/plan.hpp"
-#include "engine/selections.hpp"
-#include "engine/setup.hpp"
+#include "effects/plan.hpp"
+#include "effects/selections.hpp"
+#include "effects/setup.hpp"
 
 namespace solidem {
 
-class Beams;
-class CentralForces;
-class Damage;
+class Assembly;
 class Heat;
 class Mechanics;
-class Rupture;
 struct ConductionGeometry;
 
 /// The time step of a simulation and where it comes from.
@@ -78,15 +75,15 @@ class Simulation {
   /// The pairs that were neighbours at the start or, where bonds join them, are bonded now.
   std::vector<Pair> pairs() const;
 
-  /// The bonds; none without beams.
-  const Beams* beams() const { return beams_; }
-  /// The central forces; none without them.
-  const CentralForces* central_forces() const { return central_forces_; }
-  /// What tells cracks among them; none without damage.
-  const Damage* damage() const { return damage_; }
-
-  /// What breaks the bonds; none without rupture.
-  const Rupture* rupture() const { return rupture_; }
+  /// The effects, in the order of the plan.
+  const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
+  /// The first effect of a type, such as Beams or Rupture; null: the scene has none.
+  template <class Type>
+  const Type* find() const {
+    for (const auto& effect : effects_)
+      if (const auto* found = dynamic_cast<const Type*>(effect.get())) return found;
+    return nullptr;
+  }
 
   /// What conducts and heats; none without conduction.
   const Heat* heat() const { return heat_.get(); }
@@ -97,19 +94,21 @@ class Simulation {
   void restore(std::int64_t step, const std::map<std::string, std::vector<double>>& saved);
 
  private:
-  void add_motion(const std::vector<double>& density);
-  void add_beams(const std::vector<double>& mass);
-  void add_central_forces(const std::vector<double>& mass);
+  /// Makes the effects that act in some phases, where the plan has them.
+  void make_effects(Assembly& assembly, Phase first, Phase last);
+  std::vector<Effect*> of_phase(Phase phase) const;
+  void sort_by_phase();
   /// Makes the model: bonds and, if heat passes elsewhere, its conductors.
   Model make_model(Specimen specimen);
   void add_observers();
   /// Takes the energy that is there now as what the run starts with.
-  void take_stock();
+  void record_initial_energy();
   void choose_time_step(bool force);
-  void insist_on_bounded_energy();
+  /// Throws RunError when the elements move with more energy than was ever put in.
+  void check_energy_bound();
+  void step_once(const Step& step);
   /// Whether a run changes a column, so that it belongs into a checkpoint.
   bool changes(const Column& column) const;
-  std::vector<Effect*> all_effects() const;
 
   Setup setup_;
   std::size_t unbonded_ = 0;
@@ -119,13 +118,11 @@ class Simulation {
   Plan plan_;
   TimeStepChoice time_step_;
   std::int64_t step_ = 0;
-  std::vector<std::unique_ptr<Effect>> effects_;  ///< of motion
+  std::vector<std::unique_ptr<Effect>> effects_;  ///< in the order of the plan
+  std::vector<Effect*> moving_;                   ///< those up to the constraints, by phase
+  std::vector<Effect*> looking_;                  ///< those after the move
   std::vector<std::unique_ptr<Observer>> observers_;
-  Mechanics* mechanics_ = nullptr;  ///< the beams or the central forces, if any
-  Beams* beams_ = nullptr;
-  CentralForces* central_forces_ = nullptr;
-  Damage* damage_ = nullptr;
-  Rupture* rupture_ = nullptr;
+  Mechanics* mechanics_ = nullptr;  ///< what moves elements, if anything does
   std::unique_ptr<Heat> heat_;
   double initial_energy_ = 0;
   double largest_work_ = 0;      ///< that was ever in the body, J

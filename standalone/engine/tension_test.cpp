@@ -47,13 +47,14 @@ InitialVelocity steady_stretching(const Domain& domain, const TensionTest& test)
 Setup setup_of(const BondParameters& bonds, const Specimen& specimen, const TensionTest& test) {
   Setup setup;
   setup.materials = test.materials;
-  setup.beams = bonds.beams;
-  setup.plasticity = bonds.plasticity;
-  setup.rupture = bonds.rupture;
-  setup.contact = bonds.contact;
-  setup.grips = {grip("low", test.bar, false, 0), grip("high", test.bar, true, test.speed)};
+  setup.get<BeamParameters>() = bonds.beams;
+  setup.get<PlasticityParameters>() = bonds.plasticity;
+  setup.get<RuptureParameters>() = bonds.rupture;
+  setup.get<ContactParameters>() = bonds.contact;
+  setup.all<GripParameters>() = {grip("low", test.bar, false, 0),
+                                 grip("high", test.bar, true, test.speed)};
   setup.gauge = test.bar.gauge;
-  setup.initial_velocities = {steady_stretching(specimen.domain, test)};
+  setup.all<InitialVelocity>() = {steady_stretching(specimen.domain, test)};
   setup.run.steps = 1;  // the test decides when it ends
   setup.run.time_step_ratio = test.time_step_ratio;
   return setup;

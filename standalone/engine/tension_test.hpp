@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/setup.hpp"
+#include "effects/setup.hpp"
 #include "solve/tensile_bar.hpp"
 
 namespace solidem {

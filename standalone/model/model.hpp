@@ -62,6 +62,13 @@ class Model {
     return has(solidem::columns::place) ? solidem::columns::place : solidem::columns::pose;
   }
 
+  /// Notes elements that others than the forces between elements move, so that whoever keeps lists
+  /// of neighbours looks at them.
+  void note_driven(const std::vector<std::int32_t>& elements) {
+    driven_.insert(driven_.end(), elements.begin(), elements.end());
+  }
+  const std::vector<std::int32_t>& driven() const { return driven_; }
+
   /// Doubles in one buffer of a column.
   std::size_t size(const Column& column) const;
 
@@ -103,6 +110,7 @@ class Model {
   Slots slots_;
   std::optional<Slots> conductors_;
   std::vector<Storage> storage_;
+  std::vector<std::int32_t> driven_;
 };
 
 }  // namespace solidem

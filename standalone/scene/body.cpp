@@ -17,9 +17,10 @@ namespace solidem {
 Specimen make_body(const Scene& scene, const ReportProgress& progress) {
   Specimen specimen = make_specimen(scene.specimen, progress);
   const bool from_file = !scene.specimen.file.empty();
-  if (scene.setup.central_forces) {
+  if (scene.setup.get<CentralForceParameters>()) {
     // The neighbours at the start; in a small cell there may be several images of one.
-    make_bonds(specimen, scene.setup.central_forces->bond_tolerance, BondImages::several);
+    make_bonds(specimen, scene.setup.get<CentralForceParameters>()->bond_tolerance,
+               BondImages::several);
     // There are more of them than contacts, and blocks are full where numbers of them are alike.
     if (!from_file) sort_elements(specimen);
   } else if (scene.bond_tolerance) {
@@ -28,7 +29,7 @@ Specimen make_body(const Scene& scene, const ReportProgress& progress) {
   } else if (!from_file || specimen.bonds.empty()) {
     make_bonds(specimen, 0);
   }
-  const auto& beams = scene.setup.beams;
+  const auto& beams = scene.setup.get<BeamParameters>();
   if (beams && beams->fibres) {
     add_fibres(specimen, beams->fibres->rule);
     measure_specimen(specimen);
@@ -50,10 +51,10 @@ void write_mechanics(Hdf5File& file, const Simulation& simulation) {
     inertia.push_back(sphere_inertia(mass[i], radius[i]));
   }
   mechanics.write("mass", mass);
-  if (simulation.beams() == nullptr) return;
+  if (simulation.find<Beams>() == nullptr) return;
   mechanics.write("inertia", inertia);
 
-  const BeamProperties& properties = simulation.beams()->properties();
+  const BeamProperties& properties = simulation.find<Beams>()->properties();
   std::vector<double> rigidity, beam_radius, shear_ratio;
   const std::vector<Pair> pairs = model.slots().pairs();
   for (const Pair& pair : pairs) {
@@ -89,8 +90,8 @@ void write_conduction(Hdf5File& file, const Simulation& simulation) {
   const std::vector<Pair> pairs = model.conductors().pairs();
   Specimen conducting = model.specimen();
   conducting.bonds = pairs;
-  const ConductionGeometry geometry =
-      scaled_geometry(*simulation.setup().conduction, conducting, heat.area_factor());
+  const ConductionGeometry geometry = scaled_geometry(
+      *simulation.setup().get<ConductionParameters>(), conducting, heat.area_factor());
   const double* temperature = model.data(columns::temperature);
   std::vector<double> area, distance, conductance(pairs.size());
   std::vector<std::int32_t> numbers;
@@ -110,7 +111,7 @@ void write_conduction(Hdf5File& file, const Simulation& simulation) {
     capacity.push_back(1 / model.data(columns::inverse_heat_capacity)[i]);
 
   const Hdf5Group group = file.make_group("conduction");
-  group.set_attribute("law", name_of(simulation.setup().conduction->law));
+  group.set_attribute("law", name_of(simulation.setup().get<ConductionParameters>()->law));
   group.set_attribute("area_factor", geometry.area_factor);
   group.write("pairs", numbers.data(), {pairs.size(), 2});
   group.write("area", area);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // [calibration].
-#include "scene/rules.hpp"
+#include "keys/rules.hpp"
 #include "scene/sections.hpp"
 
 namespace solidem {

@@ -3,7 +3,8 @@
 // [[sensors]], [gauge], [run] and [output].
 #include <memory>
 
-#include "scene/rules.hpp"
+#include "effects/effect_kind.hpp"
+#include "keys/rules.hpp"
 #include "scene/sections.hpp"
 
 namespace solidem {
@@ -25,10 +26,9 @@ Rule sensors_section(std::vector<Sensor>& sensors, NamedEffects effects) {
          may_have("sampling", choice<Sampling>(sensor.sampling, {{"nearest", Sampling::nearest},
                                                                  {"fit", Sampling::fit}}))});
     const bool is_thermal = sensor.quantity == Quantity::temperature;
-    if (is_thermal ? !effects.conduction : !effects.motion())
-      section.refuse(
-          "quantity", is_thermal ? "nothing conducts heat" : "nothing moves",
-          is_thermal ? "a section [conduction]" : "a section [beams] or [central_forces]");
+    if (is_thermal ? !effects.heat : !effects.motion)
+      section.refuse("quantity", is_thermal ? "nothing conducts heat" : "nothing moves",
+                     sections_that_provide(is_thermal ? Provides::heat : Provides::motion));
     if (!is_thermal && sensor.sampling == Sampling::fit)
       section.refuse("sampling", "of temperatures only", "\"nearest\"");
     sensors.push_back(sensor);

@@ -3,7 +3,7 @@
 // [specimen] and [bonds].
 #include <map>
 
-#include "scene/rules.hpp"
+#include "keys/rules.hpp"
 #include "scene/sections.hpp"
 
 namespace solidem {

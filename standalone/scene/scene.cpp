@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "scene/scene.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "effects/effect_kind.hpp"
+#include "keys/rules.hpp"
 #include "model/error.hpp"
-#include "scene/rules.hpp"
 #include "scene/sections.hpp"
 
 namespace solidem {
@@ -37,34 +39,57 @@ toml::table parse(const std::string& content, const std::string& path) {
   }
 }
 
+bool names_what_provides(const Section& root, Provides what) {
+  const std::vector<EffectKind>& kinds = effect_kinds();
+  return std::any_of(kinds.begin(), kinds.end(), [&](const EffectKind& kind) {
+    return kind.provides == what && root.has(kind.section);
+  });
+}
+
+std::string problem_without(Provides what) {
+  return what == Provides::motion ? "nothing moves" : "nothing conducts heat";
+}
+
+void check_kind(const Section& root, const EffectKind& kind) {
+  for (const Conflict& conflict : kind.conflicts)
+    if (root.has(conflict.section)) root.refuse(kind.section, conflict.problem, conflict.expected);
+  if (kind.needs != Provides::nothing && !names_what_provides(root, kind.needs))
+    root.refuse(kind.section, problem_without(kind.needs), sections_that_provide(kind.needs));
+  if (!kind.beside.empty() && !root.has(kind.beside))
+    root.refuse(kind.section, kind.problem_alone, "a section [" + kind.beside + "]");
+}
+
 /// A scene without effects is a recipe for a specimen and no more.
-void check_effects(const Section& root, NamedEffects effects) {
-  const auto refuse_all = [&root](const std::vector<std::string>& keys, const std::string& problem,
-                                  const std::string& expected) {
-    for (const std::string& key : keys)
-      if (root.has(key)) root.refuse(key, problem, expected);
-  };
-  if (!effects.motion() && !effects.conduction)
-    refuse_all({"material", "plasticity", "rupture", "contact", "damage", "contacts", "grips",
-                "temperatures", "heat_fluxes", "convections", "heat_sources", "initial_velocities",
-                "sensors", "gauge", "calibration", "run", "output"},
-               "the scene has no effect", "a section [beams], [central_forces] or [conduction]");
-  if (effects.beams && effects.central_forces)
-    root.refuse("central_forces", "beams act between the same elements",
-                "either [beams] or [central_forces]");
-  if (!effects.motion())
-    refuse_all({"grips", "initial_velocities", "gauge"}, "nothing moves",
-               "a section [beams] or [central_forces]");
-  if (!effects.beams)
-    refuse_all({"plasticity", "rupture", "contact", "calibration"}, "there are no beams",
-               "a section [beams]");
-  if (!effects.central_forces)
-    refuse_all({"damage"}, "there are no central forces", "a section [central_forces]");
-  if (root.has("contact") && !root.has("rupture"))
-    root.refuse("contact", "no bond ever breaks", "a section [rupture] beside it");
-  if (!effects.conduction)
-    refuse_all({"contacts", "temperatures", "heat_fluxes", "convections", "heat_sources"},
-               "nothing conducts heat", "a section [conduction]");
+void check_effects(const Section& root) {
+  const bool moves = names_what_provides(root, Provides::motion);
+  std::vector<std::string> without_effect{"material",    "sensors", "gauge",
+                                          "calibration", "run",     "output"};
+  for (const EffectKind& kind : effect_kinds()) without_effect.push_back(kind.section);
+  if (!moves && !names_what_provides(root, Provides::heat))
+    for (const std::string& section : without_effect)
+      if (root.has(section))
+        root.refuse(section, "the scene has no effect",
+                    sections_that_provide(Provides::motion) + " or " +
+                        sections_that_provide(Provides::heat));
+  for (const EffectKind& kind : effect_kinds())
+    if (root.has(kind.section)) check_kind(root, kind);
+  if (root.has("gauge") && !moves)
+    root.refuse("gauge", problem_without(Provides::motion),
+                sections_that_provide(Provides::motion));
+  if (root.has("calibration") && !root.has("beams"))
+    root.refuse("calibration", "there are no beams", "a section [beams]");
+}
+
+/// One key for each kind of effect, which reads its section into the setup.
+std::vector<Key> effect_keys(Setup& setup, const NamedRegions& named,
+                             const std::optional<double>& bond_tolerance) {
+  std::vector<Key> keys;
+  for (const EffectKind& kind : effect_kinds())
+    keys.push_back(may_have(kind.section, {"", [&](const Value& value) {
+                                             Reading reading{setup, named, bond_tolerance, {}};
+                                             kind.read(value, reading);
+                                           }}));
+  return keys;
 }
 
 }  // namespace
@@ -83,56 +108,35 @@ Scene read_scene(const std::string& path) {
   scene.path = path;
   scene.title = std::filesystem::path(path).stem().string();
   Setup& setup = scene.setup;
-  const NamedEffects effects{root.has("conduction"), root.has("beams"), root.has("central_forces")};
+  const NamedEffects effects{names_what_provides(root, Provides::motion),
+                             names_what_provides(root, Provides::heat)};
   NamedRegions named;
   const auto with_effects = [&effects](const std::string& key, const Rule& rule) {
-    return effects.motion() || effects.conduction ? must_have(key, rule) : may_have(key, rule);
+    return effects.motion || effects.heat ? must_have(key, rule) : may_have(key, rule);
   };
   const Rule specimen = specimen_section(scene.specimen, path);
-  root.read({
+  std::vector<Key> keys{
       may_have("title", text(scene.title)),
       must_have("specimen", {specimen.expected,
                              [&](const Value& value) {
                                specimen.read(value);
                                named.specimen_is_file = !scene.specimen.file.empty();
                              }}),
-      may_have("bonds", bonds_section(scene.bond_tolerance)),
-      may_have("sets", sets_section(named)),
-      with_effects("material", material_section(setup.materials, named, effects)),
-      may_have("conduction", conduction_section(setup.conduction)),
-      may_have("contacts", contacts_section(setup.conduction, setup.materials)),
-      may_have("beams", beams_section(setup.beams)),
-      may_have("plasticity", plasticity_section(setup.plasticity, setup.beams)),
-      may_have("rupture", rupture_section(setup.rupture, setup.beams)),
-      may_have("contact", contact_section(setup.contact)),
-      may_have("central_forces",
-               central_forces_section(setup.central_forces, scene.bond_tolerance)),
-      may_have("damage", damage_section(setup.damage)),
-      may_have("calibration",
-               calibration_section(scene.calibration, scene.orthotropic_calibration, setup.beams)),
-      may_have("grips", grips_section(setup.grips, named)),
-      may_have("temperatures", temperatures_section(setup.temperatures, named)),
-      may_have("heat_fluxes", heat_fluxes_section(setup.heat_fluxes)),
-      may_have("convections", convections_section(setup.convections)),
-      may_have("heat_sources", heat_sources_section(setup.heat_sources, named)),
-      may_have("initial_velocities", initial_velocities_section(setup.initial_velocities, named)),
+      may_have("bonds", bonds_section(scene.bond_tolerance)), may_have("sets", sets_section(named)),
+      with_effects("material", material_section(setup.materials, named, effects))};
+  for (const Key& key : effect_keys(setup, named, scene.bond_tolerance)) keys.push_back(key);
+  const std::vector<Key> others{
+      may_have("calibration", calibration_section(scene.calibration, scene.orthotropic_calibration,
+                                                  setup.get<BeamParameters>())),
       may_have("sensors", sensors_section(setup.sensors, effects)),
       may_have("gauge", gauge_section(setup.gauge)),
       // A calibration pulls bars of its own.
       root.has("calibration") ? may_have("run", run_section(setup.run))
                               : with_effects("run", run_section(setup.run)),
-      may_have("output", output_section(setup.output)),
-  });
-  check_effects(root, effects);
-  if (setup.beams && setup.beams->precision == BeamParameters::Precision::mixed)
-    for (const char* section : {"plasticity", "rupture"})
-      if (root.has(section))
-        root.refuse(section, "beams in mixed precision are elastic",
-                    "precision = \"double\" in [beams]");
-  if (setup.contact && setup.contact->rebonding_pressure && setup.plasticity &&
-      setup.plasticity->law == PlasticityParameters::Law::scaled_offset)
-    root.refuse("contact", "bonds by the law scaled-offset cannot be made anew",
-                "law = \"radial-return\" in [plasticity], or no rebonding_pressure");
+      may_have("output", output_section(setup.output))};
+  keys.insert(keys.end(), others.begin(), others.end());
+  root.read(keys);
+  check_effects(root);
   scene.record = std::move(*record);
   return scene;
 }

@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "effects/setup.hpp"
 #include "engine/calibration.hpp"
-#include "engine/setup.hpp"
-#include "scene/record.hpp"
+#include "keys/record.hpp"
 #include "solve/orthotropic_calibration.hpp"
 #include "specimen/recipe.hpp"
 

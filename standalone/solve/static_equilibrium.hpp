@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "effects/parameters.hpp"
-#include "engine/setup.hpp"
+#include "effects/setup.hpp"
 #include "laws/beam.hpp"
 #include "model/specimen.hpp"
 #include "solve/linear_method.hpp"

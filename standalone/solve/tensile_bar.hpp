@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "engine/setup.hpp"
+#include "effects/setup.hpp"
 #include "solve/static_equilibrium.hpp"
 
 namespace solidem {

@@ -32,13 +32,13 @@ void PrintTo(const Variant& v, std::ostream* out) {
 
 Setup setup_of(const Variant& variant) {
   auto setup = central_setup(variant.law, range);
-  CentralForceParameters& forces = *setup.central_forces;
+  CentralForceParameters& forces = *setup.get<CentralForceParameters>();
   forces.bond_tolerance = 0.2;
   forces.equilibrium = variant.equilibrium;
   forces.interpenetration = deepest;
   forces.skin = 0.6;  // more than elements are displaced
   if (variant.dissipates) forces.dissipation = drag;
-  if (variant.cracks) setup.damage = DamageParameters{lip, 1, 0, 100};
+  if (variant.cracks) setup.get<DamageParameters>() = DamageParameters{lip, 1, 0, 100};
   return setup;
 }
 
@@ -91,7 +91,7 @@ class CentralKernel : public testing::TestWithParam<Variant> {};
 TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
   const Variant variant = GetParam();
   const auto setup = setup_of(variant);
-  const CentralForceParameters& forces = *setup.central_forces;
+  const CentralForceParameters& forces = *setup.get<CentralForceParameters>();
   Simulation simulation(setup, specimen_of(variant), true);
   Model& model = simulation.model();
   const std::size_t count = model.elements();
@@ -260,8 +260,8 @@ TEST(CentralKernel, tells_when_an_element_has_left_its_listed_place) {
 TEST(CentralForces, give_the_same_bits_on_any_number_of_threads) {
   const int before = omp_get_max_threads();
   auto setup = central_setup(usual<Piecewise>(), 1.2);
-  setup.central_forces->dissipation = drag;
-  setup.damage = DamageParameters{0.4, 1, 3, 20};
+  setup.get<CentralForceParameters>()->dissipation = drag;
+  setup.get<DamageParameters>() = DamageParameters{0.4, 1, 3, 20};
   const Specimen body = elements_at(lattice({18, 18, 18}, 2, 0.2));  // blocks for threads to share
   std::map<std::string, std::vector<double>> first;
   for (const int threads : {1, 2, 3}) {
@@ -273,8 +273,8 @@ TEST(CentralForces, give_the_same_bits_on_any_number_of_threads) {
     for (const auto& [name, value] : simulation.observe().values) state["seen"].push_back(value);
     if (threads == 1) {
       first = state;
-      EXPECT_GT(simulation.central_forces()->searches(), 2u);
-      EXPECT_GT(simulation.damage()->removed(), 0u);
+      EXPECT_GT(simulation.find<CentralForces>()->searches(), 2u);
+      EXPECT_GT(simulation.find<Damage>()->removed(), 0u);
     }
     ASSERT_EQ(state.size(), first.size());
     for (const auto& [name, values] : state)

@@ -48,14 +48,14 @@ constexpr double break_strain = 0.012;
 
 Setup setup_of(const Variant& variant) {
   auto setup = elastic_setup();
-  setup.beams->law = variant.law;
-  if (variant.law == Law::spring) setup.beams->shear_modulus = 0;
-  setup.beams->radius_from = variant.radius_from;
-  if (variant.flow != BeamFlow::none) setup.rupture = RuptureParameters{{}, break_strain, 0};
+  setup.get<BeamParameters>()->law = variant.law;
+  if (variant.law == Law::spring) setup.get<BeamParameters>()->shear_modulus = 0;
+  setup.get<BeamParameters>()->radius_from = variant.radius_from;
+  if (variant.flow != BeamFlow::none) setup.get<RuptureParameters>() = RuptureParameters{{}, break_strain, 0};
   if (variant.flow == BeamFlow::radial_return)
-    setup.plasticity = PlasticityParameters{PlasticityParameters::Law::radial_return, 0.005, 0.1};
+    setup.get<PlasticityParameters>() = PlasticityParameters{PlasticityParameters::Law::radial_return, 0.005, 0.1};
   if (variant.flow == BeamFlow::scaled_offset)
-    setup.plasticity = PlasticityParameters{PlasticityParameters::Law::scaled_offset, 0.005, 0.1};
+    setup.get<PlasticityParameters>() = PlasticityParameters{PlasticityParameters::Law::scaled_offset, 0.005, 0.1};
   return setup;
 }
 
@@ -86,7 +86,7 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
       variant.periodic ? crystal("fcc", {3, 3, 3}, {true, true, true}) : jittered("bcc", {4, 3, 3});
   const Simulation simulation(setup_of(variant), std::move(specimen), true);
   Model& model = const_cast<Simulation&>(simulation).model();
-  const Beams& beams = *simulation.beams();
+  const Beams& beams = *simulation.find<Beams>();
   disturb(model, 0.02);
   Observation seen;
   simulation.observe(seen);
@@ -150,7 +150,7 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
                     1e-15);
       if (remembers(variant.flow)) work += model.data(columns::plastic_work)[i];
     }
-    EXPECT_NEAR(work, seen.motion.plastic_work, 1e-12 * seen.motion.elastic_energy);
+    EXPECT_NEAR(work, seen.energies.of("plastic_work"), 1e-12 * seen.energies.of("elastic_energy"));
     if (!remembers(variant.flow)) continue;
     for (const auto& [index, bond] : bonds) {
       const Slots::Place place = Slots::place_of(index);
@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, BeamKernel, testing::ValuesIn(variants()));
 
 TEST(BeamKernelInSinglePrecision, pulls_as_the_law_says_to_the_precision_of_a_float) {
   auto setup = elastic_setup();
-  setup.beams->precision = BeamParameters::Precision::mixed;
+  setup.get<BeamParameters>()->precision = BeamParameters::Precision::mixed;
   const Simulation simulation(setup, jittered("bcc", {4, 3, 3}), true);
   Model& model = const_cast<Simulation&>(simulation).model();
   disturb(model, 1e-3);
@@ -198,7 +198,7 @@ TEST(BeamKernelInSinglePrecision, pulls_as_the_law_says_to_the_precision_of_a_fl
   for (const Kernels* kernels : usable_kernels()) {
     SCOPED_TRACE(kernels->instruction_set);
     put_back(model, before);
-    BeamMotion motion = simulation.beams()->motion(model);
+    BeamMotion motion = simulation.find<Beams>()->motion(model);
     ASSERT_TRUE(motion.single_precision);
     motion.kick = 1;
     kernels->move_beams(motion, 0, model.slots().blocks());

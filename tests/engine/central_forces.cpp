@@ -14,7 +14,7 @@ using Saved = std::map<std::string, std::vector<double>>;
 /// Nearest neighbours only, which never leave the range.
 Setup smooth_setup() {
   auto setup = fixed_setup(usual<Mie>(), 5);
-  setup.central_forces->bond_tolerance = 0.1;
+  setup.get<CentralForceParameters>()->bond_tolerance = 0.1;
   return setup;
 }
 
@@ -47,7 +47,7 @@ TEST(CentralForces, conserve_energy_to_second_order_of_the_step) {
 
 TEST(CentralForces, dissipate_what_motion_loses) {
   auto setup = smooth_setup();
-  setup.central_forces->dissipation = 0.02;
+  setup.get<CentralForceParameters>()->dissipation = 0.02;
   const Specimen body = elements_at(lattice({4, 3, 3}, 2, 0.05));
   const double step = 0.1 * Simulation(setup, body).time_step().bound;
   double last = 0;
@@ -78,14 +78,14 @@ TEST(CentralForces, dissipate_what_motion_loses) {
 /// A lattice that is torn and shaken until it falls apart, with all that acts on it.
 Setup everything() {
   auto setup = central_setup(usual<Piecewise>(), 1.3);
-  setup.central_forces->bond_tolerance = 0.1;
-  setup.central_forces->dissipation = 0.03;
-  setup.damage = DamageParameters{0.3, 3, 5, 25};
+  setup.get<CentralForceParameters>()->bond_tolerance = 0.1;
+  setup.get<CentralForceParameters>()->dissipation = 0.03;
+  setup.get<DamageParameters>() = DamageParameters{0.3, 3, 5, 25};
   GripParameters pushed;
   pushed.name = "pushed";
   pushed.region = between(7e-4, 9e-4);
   pushed.axis[1] = {AxisControl::Kind::force, TimeFunction::constant(20)};
-  setup.grips = {hold("left", between(-1, 1e-4)), pull("right", between(13e-4, 1), 300), pushed};
+  setup.all<GripParameters>() = {hold("left", between(-1, 1e-4)), pull("right", between(13e-4, 1), 300), pushed};
   return setup;
 }
 
@@ -103,19 +103,19 @@ TEST_P(TornBody, moves_by_the_same_bits_whatever_the_skin) {
   for (const std::optional<double> skin : {std::optional<double>(), std::optional<double>(0.02),
                                            std::optional<double>(0.1), std::optional<double>(2)}) {
     auto setup = everything();
-    setup.central_forces->skin = skin;
+    setup.get<CentralForceParameters>()->skin = skin;
     Simulation simulation(setup, body_of(GetParam()));
     shake(simulation, 250);
     simulation.advance(400);
     Saved state = simulation.save();
     for (const auto& [name, value] : simulation.observe().values) state["seen"].push_back(value);
     if (first.empty()) {
-      EXPECT_GT(simulation.damage()->removed(), 3u);
+      EXPECT_GT(simulation.find<Damage>()->removed(), 3u);
       first = state;
-      searches = simulation.central_forces()->searches();
+      searches = simulation.find<CentralForces>()->searches();
     }
     if (skin == 2) {
-      EXPECT_LT(simulation.central_forces()->searches(), searches / 2);
+      EXPECT_LT(simulation.find<CentralForces>()->searches(), searches / 2);
     }
     for (const char* column : {"place", "velocity", "carried_velocity", "barycentre"})
       EXPECT_TRUE(state.at(std::string("column.") + column) ==
@@ -171,8 +171,8 @@ TEST(CentralForces, keep_the_initial_distance_when_a_pair_parts_and_meets_again)
   const auto law = usual<Mie>();
   for (const Equilibrium equilibrium : {Equilibrium::initial, Equilibrium::radii}) {
     auto setup = central_setup(law, 1.5);
-    setup.central_forces->equilibrium = equilibrium;
-    setup.central_forces->bond_tolerance = 0;
+    setup.get<CentralForceParameters>()->equilibrium = equilibrium;
+    setup.get<CentralForceParameters>()->bond_tolerance = 0;
     setup.run.time_step = 1e-9;
     const double stay = 1e-7;
     // The first two overlap at the start; the third stands out of reach of both.
@@ -181,7 +181,7 @@ TEST(CentralForces, keep_the_initial_distance_when_a_pair_parts_and_meets_again)
     const auto still = TimeFunction::constant(0);
     const std::vector<double> stays = {0, 2, 4.2, 4.15, 0.05, 0, -0.05};
     const double r = hand_radius, known = equilibrium == Equilibrium::initial ? 1.9 * r : 2 * r;
-    setup.grips = {hold("low", between(-r, r)),
+    setup.all<GripParameters>() = {hold("low", between(-r, r)),
                    hold("middle", between(r, 3 * r), {visits(stays, stay), still, still}),
                    hold("high", between(7 * r, 9 * r))};
     Simulation simulation(setup, body);
@@ -196,16 +196,16 @@ TEST(CentralForces, keep_the_initial_distance_when_a_pair_parts_and_meets_again)
       const double expected = push(8 * r - x, 2 * r) - push(x, known);
       EXPECT_NEAR(seen(simulation, "grip.middle.force_x"), expected, 1e-9) << stays[k];
     }
-    EXPECT_GT(simulation.central_forces()->searches(), 3u);
+    EXPECT_GT(simulation.find<CentralForces>()->searches(), 3u);
   }
 }
 
 TEST(CentralForces, drag_feels_the_velocity_that_a_grip_imposes) {
   auto setup = central_setup(usual<Piecewise>(), 1.5);
-  setup.central_forces->dissipation = 0.08;
+  setup.get<CentralForceParameters>()->dissipation = 0.08;
   setup.run.time_step = 1e-9;
   const double r = hand_radius;
-  setup.grips = {hold("left", between(-r, r)), pull("right", between(r, 3 * r), 5)};
+  setup.all<GripParameters>() = {hold("left", between(-r, r)), pull("right", between(r, 3 * r), 5)};
   Simulation simulation(setup, row_of(2));
   for (const int steps : {0, 1, 1, 10}) {
     simulation.advance(steps);
@@ -221,8 +221,8 @@ TEST(CentralForces, reach_no_farther_than_the_range) {
   // Two elements whose attraction ends: what they do to each other a little before and after.
   for (const CentralLaw& law : usual_laws()) {
     auto setup = central_setup(law, 1.2);
-    setup.central_forces->equilibrium = Equilibrium::radii;
-    setup.central_forces->bond_tolerance = 1;
+    setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
+    setup.get<CentralForceParameters>()->bond_tolerance = 1;
     for (const double share : {1 - 1e-9, 1 + 1e-9}) {
       const Simulation simulation(setup, row_of(2, 2 * 1.2 * share), true);
       EXPECT_EQ(seen(simulation, "interactions"), share < 1 ? 1 : 0) << name_of(law);
@@ -238,10 +238,10 @@ TEST(CentralForces, reach_no_farther_than_the_range) {
 /// Two blocks that stand apart, the right one moved to a gap that follows a function.
 Setup blocks(const TimeFunction& gap, bool cracks) {
   auto setup = central_setup(usual<Piecewise>(), 1.3);
-  setup.central_forces->equilibrium = Equilibrium::radii;
-  if (cracks) setup.damage = DamageParameters{0.3, 1000000, 0, 100};
+  setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
+  if (cracks) setup.get<DamageParameters>() = DamageParameters{0.3, 1000000, 0, 100};
   const auto still = TimeFunction::constant(0);
-  setup.grips = {hold("left", between(-1, 5e-4)),
+  setup.all<GripParameters>() = {hold("left", between(-1, 5e-4)),
                  hold("right", between(5e-4, 1), {gap, still, still})};
   setup.run.time_step = 1e-9;
   return setup;
@@ -275,7 +275,7 @@ TEST(Damage, heals_where_lips_have_come_within_range_again) {
   for (const Vector& place : lattice({3, 3, 3}, 2, 0, {7 * hand_radius, 0, 0}))
     places.push_back(place);
   auto setup = blocks(visits({0, -0.8}, 1e-7), true);
-  setup.damage->every = 10;
+  setup.get<DamageParameters>()->every = 10;
   Simulation simulation(setup, elements_at(places));
   simulation.advance(190);
   // Neighbours across the gap bring the barycentre back.
@@ -285,7 +285,7 @@ TEST(Damage, heals_where_lips_have_come_within_range_again) {
 
 TEST(Damage, removes_what_has_lost_its_hold_and_nothing_else) {
   auto setup = central_setup(usual<Piecewise>(), 1.3);
-  setup.damage = DamageParameters{{}, 1, 1, 100};
+  setup.get<DamageParameters>() = DamageParameters{{}, 1, 1, 100};
   setup.run.time_step = 5e-9;
   const double r = hand_radius, speed = 2000;
   // A pair of which one flies off, one that was always alone and comes by later, and a pair that
@@ -297,11 +297,11 @@ TEST(Damage, removes_what_has_lost_its_hold_and_nothing_else) {
   launch(simulation, 0, {0, speed, 0});
   launch(simulation, 2, {speed, 0, 0});
   simulation.advance(99);
-  EXPECT_EQ(simulation.damage()->removed(), 0u);
+  EXPECT_EQ(simulation.find<Damage>()->removed(), 0u);
   simulation.advance(1);
-  EXPECT_EQ(simulation.damage()->removed(), 2u);
-  EXPECT_TRUE(simulation.damage()->is_removed(0));
-  EXPECT_TRUE(simulation.damage()->is_removed(1));
+  EXPECT_EQ(simulation.find<Damage>()->removed(), 2u);
+  EXPECT_TRUE(simulation.find<Damage>()->is_removed(0));
+  EXPECT_TRUE(simulation.find<Damage>()->is_removed(1));
   const Vector left = place_of(simulation, 0);
   double nearest = 1;
   for (int n = 0; n < 300; ++n) {
@@ -321,17 +321,17 @@ TEST(Damage, removes_what_has_lost_its_hold_and_nothing_else) {
 TEST(Damage, leaves_removed_elements_where_they_are_whatever_pulls_at_them) {
   // A grip shares its force among what is still there, and moves nothing that is gone.
   auto setup = central_setup(usual<Piecewise>(), 1.3);
-  setup.damage = DamageParameters{{}, 1, 1, 100};
+  setup.get<DamageParameters>() = DamageParameters{{}, 1, 1, 100};
   setup.run.time_step = 5e-9;
   const double r = hand_radius;
   GripParameters grip = hold("pulled", between(-r, 3 * r));
   for (auto& axis : grip.axis) axis = {};
   grip.axis[0] = {AxisControl::Kind::force, TimeFunction::constant(1e-3)};
-  setup.grips = {grip};
+  setup.all<GripParameters>() = {grip};
   Simulation simulation(setup, elements_at({{0, 0, 0}, {2 * r, 0, 0}, {40 * r, 0, 0}}));
   launch(simulation, 0, {0, 2000, 0});
   simulation.advance(101);
-  ASSERT_EQ(simulation.damage()->removed(), 2u);
+  ASSERT_EQ(simulation.find<Damage>()->removed(), 2u);
   const Vector left = place_of(simulation, 0);
   simulation.advance(100);
   EXPECT_EQ(norm(place_of(simulation, 0) - left), 0);
@@ -342,7 +342,7 @@ TEST(Damage, leaves_removed_elements_where_they_are_whatever_pulls_at_them) {
 double root_of_stiffness_and_mass(const Setup& setup, const Specimen& body) {
   const double stiffness = std::visit(
       [](const auto& law) { return bare_force(law, 2 * hand_radius, 2 * hand_radius).stiffness; },
-      setup.central_forces->law);
+      setup.get<CentralForceParameters>()->law);
   return std::sqrt(stiffness * represented_mass(body, {setup.materials.at(0).density}).front());
 }
 
@@ -350,7 +350,7 @@ TEST(Gauge, tells_the_force_of_the_grips_over_the_section) {
   for (const CentralLaw& law : usual_laws()) {
     auto setup = fixed_setup(law, 1.35);
     const Specimen bar = crystal("fcc", {8, 3, 3});
-    setup.central_forces->dissipation = 0.6 * root_of_stiffness_and_mass(setup, bar);
+    setup.get<CentralForceParameters>()->dissipation = 0.6 * root_of_stiffness_and_mass(setup, bar);
     const double length = bar.domain.upper.x - bar.domain.lower.x;
     setup.gauge = Gauge{0, bar.domain.lower.x + 0.3 * length, bar.domain.lower.x + 0.7 * length};
     const double step = 0.2 * Simulation(setup, bar).time_step().bound;
@@ -358,7 +358,7 @@ TEST(Gauge, tells_the_force_of_the_grips_over_the_section) {
     // Pulled by a strain that all laws take, then left to come to rest.
     auto right = hold("right", face(0, true));
     right.axis[0].function = {{0, 3000 * step}, {0, 2e-6}};
-    setup.grips = {hold("left", face(0, false)), right};
+    setup.all<GripParameters>() = {hold("left", face(0, false)), right};
     Simulation simulation(setup, bar);
     simulation.advance(20000);
     const double section = bar.domain.cross_section(0);
@@ -393,10 +393,10 @@ TEST(StepLimitOfCentralForces, is_met_by_the_estimate) {
       SCOPED_TRACE(std::string(name_of(law)) + ", drag " + std::to_string(drag));
       auto setup = central_setup(law, 1.3);
       // As stiff at rest as the step allows for.
-      setup.central_forces->interpenetration = 0;
+      setup.get<CentralForceParameters>()->interpenetration = 0;
       const Specimen body = crystal("fcc", {3, 3, 3});
       if (drag > 0)
-        setup.central_forces->dissipation = drag * root_of_stiffness_and_mass(setup, body);
+        setup.get<CentralForceParameters>()->dissipation = drag * root_of_stiffness_and_mass(setup, body);
       const double estimate = Simulation(setup, body).time_step().limit;
       double low = 0.9 * estimate, high = 1.15 * estimate;
       ASSERT_FALSE(grows(setup, body, low));
@@ -414,7 +414,7 @@ TEST(StepLimitOfCentralForces, allows_for_the_deepest_overlap) {
   const auto law = usual<Mie>();
   const auto limit = [&](double interpenetration) {
     auto setup = central_setup(law);
-    setup.central_forces->interpenetration = interpenetration;
+    setup.get<CentralForceParameters>()->interpenetration = interpenetration;
     return Simulation(setup, body).time_step().limit;
   };
   const auto stiffness = [&](double depth) { return bare_force(law, 1 - depth, 1).stiffness; };

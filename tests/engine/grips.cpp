@@ -28,7 +28,7 @@ TEST(Grips, work_is_the_energy_that_the_bar_gains) {
   for (const double ratio : {0.2, 0.1}) {
     auto setup = elastic_setup();
     setup.run.time_step_ratio = ratio;
-    setup.grips = {grip("left", face(0, false), {held(), held(), held()}),
+    setup.all<GripParameters>() = {grip("left", face(0, false), {held(), held(), held()}),
                    grip("right", face(0, true), {moving(2), moving(0.3), held()})};
     Simulation simulation(setup, jittered("bcc", {8, 3, 3}));
     double worst = 0;
@@ -50,7 +50,7 @@ TEST(Grips, work_of_a_force_is_the_energy_that_the_bar_gains) {
     auto setup = elastic_setup();
     setup.run.time_step_ratio = ratio;
     AxisControl swing{AxisControl::Kind::force, {{0.0}, {3.0}, 2.0, 3e5, 0.4}};
-    setup.grips = {grip("left", face(0, false), {held(), held(), held()}),
+    setup.all<GripParameters>() = {grip("left", face(0, false), {held(), held(), held()}),
                    grip("right", face(0, true), {swing, {}, pulled(0.1)})};
     Simulation simulation(setup, jittered("bcc", {8, 3, 3}));
     double worst = 0;
@@ -67,8 +67,8 @@ TEST(Grips, work_of_a_force_is_the_energy_that_the_bar_gains) {
 
 TEST(Grips, a_force_gives_a_free_bar_its_momentum) {
   auto setup = elastic_setup();
-  setup.grips = {grip("pull", face(0, true), {pulled(5), {}, {}})};
-  setup.grips[0].rotation_fixed = false;
+  setup.all<GripParameters>() = {grip("pull", face(0, true), {pulled(5), {}, {}})};
+  setup.all<GripParameters>()[0].rotation_fixed = false;
   Simulation simulation(setup, jittered("bcc", {6, 3, 3}));
   simulation.advance(777);
   Observation seen;
@@ -81,8 +81,8 @@ TEST(Grips, a_force_gives_a_free_bar_its_momentum) {
 
 TEST(Grips, moving_a_whole_bar_strains_nothing) {
   auto setup = elastic_setup();
-  setup.initial_velocities.push_back({{}, {1, 2, 3}});
-  setup.grips = {grip("left", face(0, false), {moving(1), moving(2), moving(3)}),
+  setup.all<InitialVelocity>().push_back({{}, {1, 2, 3}});
+  setup.all<GripParameters>() = {grip("left", face(0, false), {moving(1), moving(2), moving(3)}),
                  grip("right", face(0, true), {moving(1), moving(2), moving(3)})};
   Simulation simulation(setup, jittered("bcc", {6, 3, 3}));
   simulation.advance(500);
@@ -93,7 +93,7 @@ TEST(Grips, moving_a_whole_bar_strains_nothing) {
 
 TEST(Grips, free_axes_follow_the_bar) {
   auto setup = elastic_setup();
-  setup.grips = {grip("left", face(0, false), {held(), held(), held()}),
+  setup.all<GripParameters>() = {grip("left", face(0, false), {held(), held(), held()}),
                  grip("right", face(0, true), {moving(5), {}, {}})};
   Simulation simulation(setup, crystal("bcc", {6, 3, 3}));
   simulation.advance(300);
@@ -112,7 +112,7 @@ TEST(Grips, free_axes_follow_the_bar) {
 
 TEST(Grips, that_share_elements_are_refused) {
   auto setup = elastic_setup();
-  setup.grips = {grip("left", face(0, false, 3), {held(), held(), held()}),
+  setup.all<GripParameters>() = {grip("left", face(0, false, 3), {held(), held(), held()}),
                  grip("all", {}, {held(), held(), held()})};
   try {
     Simulation(setup, crystal("bcc", {4, 3, 3}));
@@ -128,7 +128,7 @@ TEST(Grips, without_elements_are_refused) {
   Region nowhere;
   nowhere.kind = Region::Kind::box;
   nowhere.lower = {1, 1, 1};
-  setup.grips = {grip("lost", nowhere, {held(), held(), held()})};
+  setup.all<GripParameters>() = {grip("lost", nowhere, {held(), held(), held()})};
   EXPECT_THROW(Simulation(setup, crystal("bcc", {4, 3, 3})), InputError);
 }
 

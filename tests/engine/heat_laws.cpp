@@ -32,14 +32,14 @@ double temperature_of(const Simulation& simulation, std::size_t i) {
 
 /// Runs towards the steady state: ten times L²/α.
 void settle(Setup& setup) {
-  setup.conduction->integrator = HeatIntegratorName::implicit;
+  setup.get<ConductionParameters>()->integrator = HeatIntegratorName::implicit;
   setup.run.steps = 40;
   setup.run.time_step = 0.25 * 9e-6 / (134 / (2790.0 * 880.0));
 }
 
 TEST(VoronoiConduction, carries_a_linear_field_exactly_between_walls) {
   auto setup = heat_setup(HeatLaw::voronoi, HeatIntegratorName::implicit);
-  setup.temperatures = {held_wall("x_low", 300), held_wall("x_high", 400)};
+  setup.all<ImposedTemperatureParameters>() = {held_wall("x_low", 300), held_wall("x_high", 400)};
   settle(setup);
   Simulation simulation(setup, packed_bar());
   simulation.advance(40);
@@ -50,8 +50,8 @@ TEST(VoronoiConduction, carries_a_linear_field_exactly_between_walls) {
 
 TEST(VoronoiConduction, steady_heat_through_the_body_is_that_of_the_material) {
   auto setup = heat_setup(HeatLaw::voronoi, HeatIntegratorName::implicit);
-  setup.heat_fluxes.push_back({"in", "x_low", TimeFunction::constant(1e6)});
-  setup.convections.push_back(
+  setup.all<HeatFluxParameters>().push_back({"in", "x_low", TimeFunction::constant(1e6)});
+  setup.all<ConvectionParameters>().push_back(
       {"out", "x_high", TimeFunction::constant(2e4), TimeFunction::constant(298)});
   settle(setup);
   setup.run.time_step = *setup.run.time_step * 20;
@@ -76,7 +76,7 @@ TEST(CalibratedConduction, conducts_and_stores_heat_as_the_material_does) {
     capacity += 1 / simulation.model().data(columns::inverse_heat_capacity)[i];
   EXPECT_NEAR(capacity / (2790 * 880 * 3e-9), 1, 1e-12);
   // With the factor already in, a second test finds nothing to correct.
-  setup.conduction->area_factor = simulation.heat()->area_factor();
+  setup.get<ConductionParameters>()->area_factor = simulation.heat()->area_factor();
   const Simulation again(setup, body);
   EXPECT_EQ(again.heat()->area_factor(), simulation.heat()->area_factor());
 }
@@ -85,7 +85,7 @@ TEST(TemperatureDependence, of_conductivity_follows_kirchhoffs_transform) {
   // λ linear in T: the steady profile between 300 and 700 K makes Θ = ∫λ dT linear in x.
   auto setup = heat_setup(HeatLaw::voronoi, HeatIntegratorName::implicit);
   setup.materials[0].conductivity = TemperatureFunction({300, 700}, {100, 300});
-  setup.temperatures = {held_wall("x_low", 300), held_wall("x_high", 700)};
+  setup.all<ImposedTemperatureParameters>() = {held_wall("x_low", 300), held_wall("x_high", 700)};
   settle(setup);
   const auto error_of = [&](int cells) {
     Specimen body = crystal("simple_cubic", {cells, 2, 2});
@@ -112,8 +112,8 @@ TEST(TemperatureDependence, of_capacity_stores_the_enthalpy_of_the_table) {
     setup.materials[0].conductivity = TemperatureFunction({298, 498}, {134, 60});
     auto source = ball_source(1, {}, 25);
     source.is_density = false;  // all of the body, however large the ball
-    setup.heat_sources.push_back(source);
-    if (integrator != HeatIntegratorName::explicit_euler) setup.conduction->tolerance = 1e-3;
+    setup.all<HeatSourceParameters>().push_back(source);
+    if (integrator != HeatIntegratorName::explicit_euler) setup.get<ConductionParameters>()->tolerance = 1e-3;
     const Specimen body = crystal("simple_cubic", {6, 3, 3});
     const double mass = 2790 * body.domain.volume;
     setup.run.steps.reset();
@@ -135,8 +135,8 @@ TEST(Contact, between_two_bodies_makes_the_temperature_jump) {
   left.upper.x = right.lower.x = 1e-3;
   setup.materials = {material_of(2790, 880, 134, left, "a"),
                      material_of(7800, 500, 50, right, "b")};
-  setup.conduction->contacts.push_back({"b", "a", 2e4});
-  setup.temperatures = {held_wall("x_low", 400), held_wall("x_high", 300)};
+  setup.get<ConductionParameters>()->contacts.push_back({"b", "a", 2e4});
+  setup.all<ImposedTemperatureParameters>() = {held_wall("x_low", 400), held_wall("x_high", 300)};
   settle(setup);
   setup.run.time_step = *setup.run.time_step * 100;
   Simulation simulation(setup, crystal("simple_cubic", {10, 2, 2}));
@@ -153,15 +153,15 @@ TEST(HeatBalance, closes_with_every_kind_of_load_by_every_integrator) {
   for (const HeatIntegratorName integrator : integrators)
     for (const HeatLaw law : {HeatLaw::platonic, HeatLaw::voronoi}) {
       auto setup = heat_setup(law, integrator);
-      setup.temperatures = {held_wall("z_low", 350)};
-      setup.temperatures.push_back({"layer", face(0, true), {{0, 1e-3}, {400, 800}, 20, 300, 0}});
-      setup.heat_fluxes.push_back({"lamp", "y_high", {{0, 0.01}, {0, 1e6}}});
-      setup.convections.push_back(
+      setup.all<ImposedTemperatureParameters>() = {held_wall("z_low", 350)};
+      setup.all<ImposedTemperatureParameters>().push_back({"layer", face(0, true), {{0, 1e-3}, {400, 800}, 20, 300, 0}});
+      setup.all<HeatFluxParameters>().push_back({"lamp", "y_high", {{0, 0.01}, {0, 1e6}}});
+      setup.all<ConvectionParameters>().push_back(
           {"air", "x_low", {{0, 0.01}, {100, 1e5}}, TimeFunction::constant(280)});
       auto source = ball_source(3e-4, {0, 5e-4, 5e-4}, 1e10);
       source.position[0] = {{0, 0.02}, {0, 3e-3}};
-      setup.heat_sources.push_back(source);
-      if (integrator != HeatIntegratorName::explicit_euler) setup.conduction->tolerance = 0.1;
+      setup.all<HeatSourceParameters>().push_back(source);
+      if (integrator != HeatIntegratorName::explicit_euler) setup.get<ConductionParameters>()->tolerance = 0.1;
       setup.run.time_step = 1e-4;
       if (integrator == HeatIntegratorName::explicit_euler) setup.run.time_step = 2e-5;
       Simulation simulation(setup, packed_bar());
@@ -183,12 +183,12 @@ TEST(Integrators, agree_on_the_same_body) {
   std::vector<double> reference;
   for (const HeatIntegratorName integrator : integrators) {
     auto setup = heat_setup(HeatLaw::voronoi, integrator);
-    setup.temperatures = {held_wall("x_low", 798)};
+    setup.all<ImposedTemperatureParameters>() = {held_wall("x_low", 798)};
     setup.run.steps.reset();
     setup.run.duration = 0.02;
     const bool is_explicit = integrator == HeatIntegratorName::explicit_euler;
     if (is_explicit) setup.run.time_step = 1e-6;
-    if (!is_explicit) setup.conduction->tolerance = 1e-3;
+    if (!is_explicit) setup.get<ConductionParameters>()->tolerance = 1e-3;
     Simulation simulation(setup, packed_bar());
     simulation.advance(simulation.steps_to_run());
     const double* t = simulation.model().data(columns::temperature);
@@ -201,10 +201,10 @@ TEST(Integrators, agree_on_the_same_body) {
 TEST(Restart, goes_on_with_the_same_bits_by_every_integrator) {
   for (const HeatIntegratorName integrator : integrators) {
     auto setup = heat_setup(HeatLaw::voronoi, integrator);
-    setup.temperatures = {held_wall("x_low", 798)};
-    setup.heat_sources.push_back(ball_source(3e-4, {1e-3, 5e-4, 5e-4}, 1e10));
+    setup.all<ImposedTemperatureParameters>() = {held_wall("x_low", 798)};
+    setup.all<HeatSourceParameters>().push_back(ball_source(3e-4, {1e-3, 5e-4, 5e-4}, 1e10));
     const bool is_explicit = integrator == HeatIntegratorName::explicit_euler;
-    if (!is_explicit) setup.conduction->tolerance = 0.1;
+    if (!is_explicit) setup.get<ConductionParameters>()->tolerance = 0.1;
     if (!is_explicit) setup.run.time_step = 5e-4;
     const Specimen body = packed_bar();
     Simulation straight(setup, body), first(setup, body), second(setup, body);
@@ -224,10 +224,10 @@ TEST(Threads, however_many_give_the_same_bits) {
   const int before = omp_get_max_threads();
   for (const HeatIntegratorName integrator : integrators) {
     auto setup = heat_setup(HeatLaw::platonic, integrator);
-    setup.temperatures = {held_wall("x_low", 798)};
-    setup.heat_sources.push_back(ball_source(3e-4, {1e-3, 5e-4, 5e-4}, 1e10));
+    setup.all<ImposedTemperatureParameters>() = {held_wall("x_low", 798)};
+    setup.all<HeatSourceParameters>().push_back(ball_source(3e-4, {1e-3, 5e-4, 5e-4}, 1e10));
     const bool is_explicit = integrator == HeatIntegratorName::explicit_euler;
-    if (!is_explicit) setup.conduction->tolerance = 5;
+    if (!is_explicit) setup.get<ConductionParameters>()->tolerance = 5;
     if (!is_explicit) setup.run.time_step = 2e-3;
     std::vector<std::vector<double>> seen;
     for (const int threads : {1, 2, 3}) {
@@ -261,11 +261,11 @@ TEST(Sampling, by_a_linear_fit_is_exact_for_linear_fields) {
 TEST(BesideBeams, voronoi_cells_conduct_while_bonds_carry) {
   // Elements as in a scene of heat alone, to the bit, though the bonds are others.
   auto setup = heat_setup(HeatLaw::voronoi, HeatIntegratorName::explicit_euler);
-  setup.temperatures = {held_wall("x_low", 400)};
+  setup.all<ImposedTemperatureParameters>() = {held_wall("x_low", 400)};
   setup.run.time_step = 1e-9;
   const Specimen body = packed_bar();
   Simulation alone(setup, body);
-  setup.beams = elastic_setup().beams;
+  setup.get<BeamParameters>() = elastic_setup().get<BeamParameters>();
   Simulation both(setup, body);
   EXPECT_EQ(both.model().conductors().bonds(), alone.model().slots().bonds());
   EXPECT_LT(both.model().slots().bonds(), both.model().conductors().bonds());
@@ -290,26 +290,26 @@ TEST(BadInput, of_heat_loads_is_refused_with_what_would_be_right) {
     EXPECT_NE(text.find(part), std::string::npos) << text << " lacks " << part;
   };
   auto setup = heat_setup(HeatLaw::voronoi, HeatIntegratorName::explicit_euler);
-  setup.temperatures = {held_wall("front", 400)};
+  setup.all<ImposedTemperatureParameters>() = {held_wall("front", 400)};
   has(message_of(setup, body), "wall = \"front\"");
   has(message_of(setup, body), "x_low, x_high");
 
-  setup.temperatures.clear();
+  setup.all<ImposedTemperatureParameters>().clear();
   setup.run.steps = 10;
-  setup.heat_sources.push_back(ball_source(1e-4, {1, 1, 1}, 1e9));
+  setup.all<HeatSourceParameters>().push_back(ball_source(1e-4, {1, 1, 1}, 1e9));
   has(message_of(setup, body), "outside the body");
 
-  setup.heat_sources.clear();
-  setup.conduction->law = HeatLaw::platonic;
-  setup.temperatures.push_back({"hot", face(0, true, 0.6), TimeFunction::constant(400)});
+  setup.all<HeatSourceParameters>().clear();
+  setup.get<ConductionParameters>()->law = HeatLaw::platonic;
+  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, true, 0.6), TimeFunction::constant(400)});
   Specimen loose = crystal("simple_cubic", {5, 1, 1});
   loose.position.back().x += 1e-4;
   loose.domain.upper.x += 1e-4;
   make_bonds(loose, 0);
   has(message_of(setup, loose), "has a neighbour to pass heat to");
-  setup.temperatures.clear();
+  setup.all<ImposedTemperatureParameters>().clear();
 
-  setup.conduction->law = HeatLaw::platonic_calibrated;
+  setup.get<ConductionParameters>()->law = HeatLaw::platonic_calibrated;
   Specimen broken = crystal("simple_cubic", {9, 3, 3});
   std::vector<Pair> kept;
   for (const Pair& bond : broken.bonds) {

@@ -14,14 +14,14 @@ namespace {
 /// A row whose two halves fly apart, so that its bond in the middle breaks.
 Setup flying_apart(int minimal_bonds) {
   auto setup = elastic_setup();
-  setup.rupture = RuptureParameters{{}, 0.01, minimal_bonds};
+  setup.get<RuptureParameters>() = RuptureParameters{{}, 0.01, minimal_bonds};
   for (const bool high : {false, true}) {
     InitialVelocity initial;
     initial.region.kind = Region::Kind::box;
     initial.region.lower = {high ? 0.9e-3 : -1.0, -1, -1};
     initial.region.upper = {high ? 1.0 : 0.9e-3, 1, 1};
     initial.velocity = {high ? 200.0 : -200.0, 0, 0};
-    setup.initial_velocities.push_back(initial);
+    setup.all<InitialVelocity>().push_back(initial);
   }
   return setup;
 }
@@ -29,17 +29,17 @@ Setup flying_apart(int minimal_bonds) {
 TEST(RemovalOfElements, spares_those_that_keep_enough) {
   Simulation simulation(flying_apart(1), row_of(10));
   simulation.advance(60);
-  EXPECT_GT(simulation.rupture()->broken().size(), 0u);
+  EXPECT_GT(simulation.find<Rupture>()->broken().size(), 0u);
   for (std::int32_t e = 0; e < 10; ++e)
-    EXPECT_EQ(simulation.rupture()->is_removed(e), simulation.model().slots().coordination(e) == 0);
+    EXPECT_EQ(simulation.find<Rupture>()->is_removed(e), simulation.model().slots().coordination(e) == 0);
 }
 
 TEST(RemovalOfElements, goes_on_to_neighbours_that_it_leaves_with_too_few) {
   // In a row every element inside has two bonds: one broken bond unravels all of it.
   Simulation simulation(flying_apart(2), row_of(10));
   simulation.advance(60);
-  EXPECT_EQ(simulation.rupture()->removed(), 10u);
-  EXPECT_EQ(simulation.rupture()->broken().size(), 9u);
+  EXPECT_EQ(simulation.find<Rupture>()->removed(), 10u);
+  EXPECT_EQ(simulation.find<Rupture>()->broken().size(), 9u);
   std::vector<Vector> places;
   const double* pose = simulation.model().data(columns::pose);
   for (std::size_t i = 0; i < 10; ++i) places.push_back({pose[8 * i], pose[8 * i + 1], 0});
@@ -60,7 +60,7 @@ TEST(RemovalOfElements, loses_no_energy_unseen) {
       const HistoryRow row = simulation.observe();
       EXPECT_GT(value_of(row, "fracture_energy"), 0);
       EXPECT_EQ(value_of(row, "removed_elements"),
-                static_cast<double>(simulation.rupture()->removed()));
+                static_cast<double>(simulation.find<Rupture>()->removed()));
       return std::fabs(value_of(row, "energy_balance")) / at_first;
     };
     EXPECT_LT(left_open(1), 0.05) << minimal_bonds;
@@ -71,10 +71,10 @@ TEST(RemovalOfElements, loses_no_energy_unseen) {
 TEST(RemovalOfElements, never_happens_to_those_that_lost_nothing) {
   // The ends of the row have one bond from the beginning.
   auto setup = flying_apart(2);
-  setup.rupture->strain = 0.5;
+  setup.get<RuptureParameters>()->strain = 0.5;
   Simulation simulation(setup, row_of(10));
   simulation.advance(60);
-  EXPECT_EQ(simulation.rupture()->removed(), 0u);
+  EXPECT_EQ(simulation.find<Rupture>()->removed(), 0u);
 }
 
 }  // namespace

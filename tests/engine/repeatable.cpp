@@ -12,14 +12,14 @@ namespace {
 /// Beams, conduction, grips and an imposed temperature at once.
 Setup everything() {
   auto setup = elastic_setup();
-  setup.conduction = ConductionParameters{};
-  setup.conduction->initial_temperature = 298;
+  setup.get<ConductionParameters>() = ConductionParameters{};
+  setup.get<ConductionParameters>()->initial_temperature = 298;
   AxisControl held{AxisControl::Kind::displacement, TimeFunction::constant(0)};
   AxisControl wave{AxisControl::Kind::displacement, {{0.0}, {0.0}, 1e-6, 1e5, 0}};
   AxisControl force{AxisControl::Kind::force, TimeFunction::constant(3)};
-  setup.grips = {{"left", face(0, false), {held, held, held}, true},
+  setup.all<GripParameters>() = {{"left", face(0, false), {held, held, held}, true},
                  {"right", face(0, true), {wave, force, {}}, false}};
-  setup.temperatures.push_back({"hot", face(0, true), TimeFunction::constant(798)});
+  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, true), TimeFunction::constant(798)});
   return setup;
 }
 

@@ -14,7 +14,7 @@ bool stable(Setup setup, const Specimen& specimen, double time_step) {
   setup.run.time_step = time_step;
   Simulation simulation(setup, specimen, true);
   Model& model = simulation.model();
-  const bool moving = setup.beams.has_value();
+  const bool moving = setup.get<BeamParameters>().has_value();
   double* start = model.data(moving ? columns::velocity : columns::temperature);
   for (std::size_t i = 0; i < model.elements(); ++i)
     start[moving ? Model::at(columns::velocity, i, static_cast<int>(i % 3)) : i] +=
@@ -45,8 +45,8 @@ class BeamLimit : public testing::TestWithParam<Case> {};
 
 TEST_P(BeamLimit, lies_between_runs_that_hold_and_runs_that_diverge) {
   auto setup = elastic_setup();
-  setup.beams->radius_ratio = GetParam().radius_ratio;
-  setup.beams->radius_from = GetParam().radius_from;
+  setup.get<BeamParameters>()->radius_ratio = GetParam().radius_ratio;
+  setup.get<BeamParameters>()->radius_from = GetParam().radius_from;
   const Specimen specimen = jittered(GetParam().lattice, {4, 4, 4});
   const TimeStepChoice choice = Simulation(setup, specimen).time_step();
   std::printf("%s: limit %.3f of the criterion (%s)\n", GetParam().name,
@@ -84,7 +84,7 @@ TEST(TimeStep, beyond_the_limit_is_refused_unless_forced) {
 TEST(TimeStep, divergence_is_reported) {
   auto setup = elastic_setup();
   setup.run.time_step_ratio = 3.0;
-  setup.initial_velocities.push_back({face(0, true), {1, 0, 0}});
+  setup.all<InitialVelocity>().push_back({face(0, true), {1, 0, 0}});
   Simulation simulation(setup, crystal("bcc", {3, 3, 3}), true);
   EXPECT_THROW(
       {

@@ -48,7 +48,7 @@ specimens = 2
 
 TEST(Anisotropy, IsRead) {
   const Scene scene = read_text_scene(wood);
-  const Anisotropy& grain = scene.setup.beams.value().anisotropy.value();
+  const Anisotropy& grain = scene.setup.get<BeamParameters>().value().anisotropy.value();
   EXPECT_DOUBLE_EQ(grain.axes.longitudinal.x, 0.6);
   EXPECT_DOUBLE_EQ(grain.axes.longitudinal.z, 0.8);
   EXPECT_EQ(grain.axes.radial.y, 1);
@@ -56,7 +56,7 @@ TEST(Anisotropy, IsRead) {
   EXPECT_EQ(grain.tangential_modulus, 2e9);
   EXPECT_EQ(grain.transverse_shear_modulus, 1e9);
   EXPECT_EQ(grain.exponent, 3);
-  const Fibres& fibres = scene.setup.beams->fibres.value();
+  const Fibres& fibres = scene.setup.get<BeamParameters>()->fibres.value();
   EXPECT_DOUBLE_EQ(fibres.rule.direction.z, 0.8);  // that of the grain
   EXPECT_EQ(fibres.rule.reach, 1.8);
   EXPECT_EQ(fibres.rule.alignment, 0.9);
@@ -76,7 +76,7 @@ TEST(Anisotropy, IsRead) {
 TEST(Anisotropy, AcrossTheGrainAllIsAlikeUnlessARadialAxisIsGiven) {
   const Scene scene =
       read_text_scene(replaced(wood, "radial = [0, 2, 0]\nradial_modulus = \"8 GPa\"\n", ""));
-  const Anisotropy& grain = scene.setup.beams.value().anisotropy.value();
+  const Anisotropy& grain = scene.setup.get<BeamParameters>().value().anisotropy.value();
   EXPECT_EQ(grain.radial_modulus, grain.tangential_modulus);
   EXPECT_NEAR(dot(grain.axes.radial, grain.axes.longitudinal), 0, 1e-15);
   EXPECT_NEAR(norm(grain.axes.radial), 1, 1e-15);
@@ -88,7 +88,7 @@ TEST(Anisotropy, FibresAreBondsOfTheBody) {
   const std::vector<Pair> contacts = bonds_in_contact(body);
   EXPECT_GT(body.bonds.size(), contacts.size() + 50);
   EXPECT_EQ(body.bonds.size(),
-            contacts.size() + find_fibres(body, scene.setup.beams->fibres->rule).size());
+            contacts.size() + find_fibres(body, scene.setup.get<BeamParameters>()->fibres->rule).size());
 }
 
 class RefusedAnisotropy : public testing::TestWithParam<BadScene> {};

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "bad_scene.hpp"
-#include "engine/plan.hpp"
+#include "effects/plan.hpp"
 
 namespace solidem::test {
 namespace {
@@ -32,7 +32,7 @@ steps = 10
 const std::string* const good = &scene;
 
 CentralForceParameters forces_of(const std::string& text) {
-  return read_text_scene(text).setup.central_forces.value();
+  return read_text_scene(text).setup.get<CentralForceParameters>().value();
 }
 
 TEST(CentralForcesScene, defaults) {
@@ -47,7 +47,7 @@ TEST(CentralForcesScene, defaults) {
   EXPECT_FALSE(forces.dissipation.has_value());
   EXPECT_FALSE(forces.skin.has_value());
   EXPECT_DOUBLE_EQ(forces.bond_tolerance, 0.2);
-  const DamageParameters damage = read_text_scene(scene).setup.damage.value();
+  const DamageParameters damage = read_text_scene(scene).setup.get<DamageParameters>().value();
   EXPECT_EQ(damage.lip, 0.4);
   EXPECT_EQ(damage.every, 1);
   EXPECT_EQ(damage.minimal_neighbours, 3);
@@ -67,7 +67,7 @@ TEST(CentralForcesScene, every_key) {
   EXPECT_DOUBLE_EQ(forces.dissipation.value(), 0.08);
   EXPECT_EQ(forces.skin, 0.3);
   EXPECT_EQ(forces.bond_tolerance, 0.05);
-  const DamageParameters damage = read_text_scene(text).setup.damage.value();
+  const DamageParameters damage = read_text_scene(text).setup.get<DamageParameters>().value();
   EXPECT_EQ(damage.lip, 0.5);
   EXPECT_EQ(damage.every, 4);
   EXPECT_EQ(damage.removal_every, 50);

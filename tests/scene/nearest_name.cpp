@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scene/nearest_name.hpp"
+#include "keys/nearest_name.hpp"
 
 #include <gtest/gtest.h>
 

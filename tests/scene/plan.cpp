@@ -2,7 +2,7 @@
 //
 // What a scene does not name does not exist: the exact effects, columns and kernels of every scene
 // in the tree.
-#include "engine/plan.hpp"
+#include "effects/plan.hpp"
 
 #include <gtest/gtest.h>
 

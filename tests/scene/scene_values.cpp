@@ -115,13 +115,13 @@ TEST(Scene, EffectsAreTheOnesNamed) {
 TEST(Scene, ShearModulusInsteadOfPoissonRatio) {
   const std::string scene = replaced(bar_scene, "poisson_ratio = 0.3",
                                      "shear_modulus = \"1 TPa\"\nradius_from = \"pair\"");
-  const BeamParameters beams = *read_text_scene(scene).setup.beams;
+  const BeamParameters beams = *read_text_scene(scene).setup.get<BeamParameters>();
   EXPECT_EQ(beams.shear_modulus, 1e12);
   EXPECT_EQ(beams.radius_from, BeamParameters::RadiusFrom::pair);
 }
 
 TEST(Scene, GripsAndRegions) {
-  const std::vector<GripParameters> grips = read_text_scene(bar_scene).setup.grips;
+  const std::vector<GripParameters> grips = read_text_scene(bar_scene).setup.all<GripParameters>();
   ASSERT_EQ(grips.size(), 2U);
   EXPECT_EQ(grips[0].name, "left");
   EXPECT_EQ(grips[0].region.kind, RegionKind::face);
@@ -137,7 +137,7 @@ TEST(Scene, GripsAndRegions) {
 }
 
 TEST(Scene, FunctionsOfTime) {
-  const std::vector<GripParameters> grips = read_text_scene(bar_scene).setup.grips;
+  const std::vector<GripParameters> grips = read_text_scene(bar_scene).setup.all<GripParameters>();
   const TimeFunction& ramp = grips.at(1).axis[0].function;
   EXPECT_EQ(ramp(-1), 0);
   EXPECT_DOUBLE_EQ(ramp(0.5e-3), 1);
@@ -153,11 +153,11 @@ TEST(Scene, FunctionsOfTime) {
 TEST(Scene, TemperaturesAsFunctionsOfTime) {
   const std::string ramp = "value = { time = [\"0 s\", \"1 s\"], value = [\"0 °C\", \"100 °C\"] }";
   const Scene scene = read_text_scene(replaced(heat_scene, "value = \"798 K\"", ramp));
-  EXPECT_DOUBLE_EQ(scene.setup.temperatures.at(0).temperature(0.5), 323.15);
+  EXPECT_DOUBLE_EQ(scene.setup.all<ImposedTemperatureParameters>().at(0).temperature(0.5), 323.15);
   const std::string sine =
       "value = { mean = \"20 °C\", amplitude = \"10 K\", frequency = \"1 Hz\" }";
   const Scene swing = read_text_scene(replaced(heat_scene, "value = \"798 K\"", sine));
-  EXPECT_DOUBLE_EQ(swing.setup.temperatures.at(0).temperature(0.25), 303.15);
+  EXPECT_DOUBLE_EQ(swing.setup.all<ImposedTemperatureParameters>().at(0).temperature(0.25), 303.15);
 }
 
 TEST(Scene, ObservationRunAndOutput) {
@@ -185,7 +185,7 @@ TEST(Scene, ObservationRunAndOutput) {
 
 TEST(Scene, SharesAsPercent) {
   const Scene scene = read_text_scene(replaced(bar_scene, "= 0.27", "= \"27 %\""));
-  EXPECT_EQ(scene.setup.beams->radius_ratio, 0.27);
+  EXPECT_EQ(scene.setup.get<BeamParameters>()->radius_ratio, 0.27);
 }
 
 TEST(Scene, SpecimenFileLiesBesideTheScene) {
@@ -198,8 +198,8 @@ TEST(Scene, SpecimenFileLiesBesideTheScene) {
   const Scene scene = read_text_scene(from_file);
   EXPECT_EQ(scene.specimen.file, folder().file("bar.h5"));
   // The scene has no set "left"; that of the file is meant.
-  EXPECT_EQ(scene.setup.grips.at(0).region.kind, RegionKind::set);
-  EXPECT_EQ(scene.setup.grips.at(0).region.set, "left");
+  EXPECT_EQ(scene.setup.all<GripParameters>().at(0).region.kind, RegionKind::set);
+  EXPECT_EQ(scene.setup.all<GripParameters>().at(0).region.set, "left");
 }
 
 TEST(Scene, RecipeAloneIsAScene) {

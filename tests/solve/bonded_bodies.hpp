@@ -17,7 +17,7 @@ constexpr double pi = 3.14159265358979323846;
 
 inline BeamParameters beam_parameters(
     BeamParameters::Law law = BeamParameters::Law::euler_bernoulli) {
-  BeamParameters beams = *elastic_setup().beams;
+  BeamParameters beams = *elastic_setup().get<BeamParameters>();
   beams.law = law;
   return beams;
 }

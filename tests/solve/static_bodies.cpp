@@ -215,7 +215,7 @@ TEST(StaticBody, SlowRunSettlesOnTheEquilibrium) {
     for (AxisControl& axis : grip->axis)
       axis = {AxisControl::Kind::displacement, TimeFunction::constant(0)};
   right.axis[0].function = {{0, ramp}, {0, displacement}};
-  setup.grips = {left, right};
+  setup.all<GripParameters>() = {left, right};
   setup.run.duration = 2 * ramp;
   setup.run.steps.reset();
   Simulation simulation(setup, body);

@@ -87,14 +87,14 @@ TEST(Vibrations, ARunSwingsAsTheLowestMode) {
   clamp.region = face(0, false, 0.6);
   for (AxisControl& axis : clamp.axis)
     axis = {AxisControl::Kind::displacement, TimeFunction::constant(0)};
-  setup.grips = {clamp};
+  setup.all<GripParameters>() = {clamp};
   const double speed = 1e-3, small = 1e-6;
   for (std::size_t i = 0; i < row.specimen.size(); ++i) {
     Region here;
     here.kind = Region::Kind::box;
     here.lower = row.specimen.position[i] - Vector{small, small, small};
     here.upper = row.specimen.position[i] + Vector{small, small, small};
-    setup.initial_velocities.push_back({here, speed * mode.displacement[i]});
+    setup.all<InitialVelocity>().push_back({here, speed * mode.displacement[i]});
   }
   setup.run.time_step_ratio = 0.1;
   Simulation simulation(setup, row.specimen);

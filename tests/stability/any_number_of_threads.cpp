@@ -14,14 +14,14 @@ namespace {
 /// A bar hit at both ends so that it flows and breaks in many places at once, and closes again.
 Setup shattered(FlowLaw flow, BeamLaw law) {
   auto setup = yielding_setup(2e-3, 0.01, flow, law);
-  setup.rupture = RuptureParameters{};
-  setup.rupture->strain = 0.02;
-  setup.rupture->minimal_bonds = 2;
-  setup.contact = ContactParameters{};
-  setup.contact->rebonding_pressure = 2e10;
-  setup.grips = {hold("left", face(0, false, 1))};
-  setup.initial_velocities.push_back({between(1.5e-3, 2.2e-3), {150, 20, 0}});
-  setup.initial_velocities.push_back({between(2.2e-3, 3e-3), {-200, 0, 30}});
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->strain = 0.02;
+  setup.get<RuptureParameters>()->minimal_bonds = 2;
+  setup.get<ContactParameters>() = ContactParameters{};
+  setup.get<ContactParameters>()->rebonding_pressure = 2e10;
+  setup.all<GripParameters>() = {hold("left", face(0, false, 1))};
+  setup.all<InitialVelocity>().push_back({between(1.5e-3, 2.2e-3), {150, 20, 0}});
+  setup.all<InitialVelocity>().push_back({between(2.2e-3, 3e-3), {-200, 0, 30}});
   return setup;
 }
 

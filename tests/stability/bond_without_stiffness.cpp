@@ -48,8 +48,8 @@ TEST_P(BondWithoutStiffness, moves_nothing) {
   const auto [law, limited] = GetParam();
   auto setup = limited ? yielding_setup(2e-3, 0.01, FlowLaw::radial_return, law) : beam_setup(law);
   setup.run.time_step = 1e-9;
-  setup.beams->young_modulus = 1e-250;
-  setup.beams->shear_modulus = law == BeamLaw::spring ? 0 : 4e-251;
+  setup.get<BeamParameters>()->young_modulus = 1e-250;
+  setup.get<BeamParameters>()->shear_modulus = law == BeamLaw::spring ? 0 : 4e-251;
   const std::unique_ptr<Simulation> bonded(drifting(setup, row_of(3)));
   Specimen apart = row_of(3);
   apart.bonds.clear();
@@ -72,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(Laws, BondWithoutStiffness,
 TEST(BondWithoutStiffness, that_is_broken_is_no_bond) {
   // Broken in the first step, a bond leaves its elements to fly on.
   auto setup = beam_setup();
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 1e-9;
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->elastic_strain = 1e-9;
   setup.run.time_step_ratio = 0.01;
   const std::unique_ptr<Simulation> simulation(drifting(setup, row_of(3)));
   simulation->advance(2);

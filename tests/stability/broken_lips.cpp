@@ -15,9 +15,9 @@ constexpr double stiffness = 3.5e12;
 /// displacements at thousands of steps.
 Setup led(const std::vector<double>& places, bool touches = true) {
   auto setup = beam_setup();
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 0.01;
-  if (touches) setup.contact = ContactParameters{};
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->elastic_strain = 0.01;
+  if (touches) setup.get<ContactParameters>() = ContactParameters{};
   setup.run.time_step = 1e-9;
   auto right = hold("right", face(0, true));
   right.axis[0].function = {{}, {}};
@@ -25,7 +25,7 @@ Setup led(const std::vector<double>& places, bool touches = true) {
     right.axis[0].function.time.push_back(1e-6 * static_cast<double>(k));
     right.axis[0].function.value.push_back(places[k]);
   }
-  setup.grips = {hold("left", face(0, false)), right};
+  setup.all<GripParameters>() = {hold("left", face(0, false)), right};
   return setup;
 }
 
@@ -89,10 +89,10 @@ TEST(BrokenLips, of_an_overlapping_body_are_not_ejected) {
   Specimen body = make_specimen(recipe);
   for (double& radius : body.radius) radius *= 1.05;  // bonds stay those of the packing
   auto setup = beam_setup();
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 0.004;
-  setup.contact = ContactParameters{};
-  setup.grips = {hold("left", face(0, false, 1.5)), pull("right", face(0, true, 1.5), 5)};
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->elastic_strain = 0.004;
+  setup.get<ContactParameters>() = ContactParameters{};
+  setup.all<GripParameters>() = {hold("left", face(0, false, 1.5)), pull("right", face(0, true, 1.5), 5)};
   Simulation simulation(setup, body);
   double contact = 0;
   while (simulation.time() < 1.2e-5) {
@@ -117,15 +117,15 @@ TEST(BrokenLips, of_an_overlapping_body_are_not_ejected) {
 /// Tears a bar in two, then pushes the parts together by a tenth of its length.
 double overlap_after_closing(bool touches) {
   auto setup = beam_setup();
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 0.004;
-  if (touches) setup.contact = ContactParameters{};
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->elastic_strain = 0.004;
+  if (touches) setup.get<ContactParameters>() = ContactParameters{};
   const Specimen body = crystal("simple_cubic", {8, 3, 3});
   const double R = hand_radius;
   // A layer in the middle is led away by itself: the crack runs along it, flat.
   auto right = hold("right", between(8 * R, 100 * R));
   right.axis[0].function = {{0, 1e-6, 3e-6}, {0, 0.3 * R, -1 * R}};
-  setup.grips = {hold("left", face(0, false, 1)), right};
+  setup.all<GripParameters>() = {hold("left", face(0, false, 1)), right};
   Simulation simulation(setup, body);
   while (simulation.time() < 3e-6) simulation.advance(10);
   EXPECT_GT(seen(simulation, "broken_bonds"), 5) << touches;
@@ -150,9 +150,9 @@ TEST(BrokenLips, that_meet_at_speed_bounce_and_keep_their_energy) {
   // A pair flies at each other; its bond breaks at once, and a contact of the same stiffness takes
   // the blow and gives it back.
   auto setup = beam_setup();
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 1e-7;
-  setup.contact = ContactParameters{};
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->elastic_strain = 1e-7;
+  setup.get<ContactParameters>() = ContactParameters{};
   setup.run.time_step_ratio = 0.02;
   Simulation simulation(setup, row_of(2));
   set_velocity(simulation, 0, {10, 0, 0});
@@ -179,9 +179,9 @@ TEST(BrokenLips, that_break_while_pressed_go_on_pushing_without_new_energy) {
   // energy that it held.
   for (const double ratio : {0.1, 0.02}) {
     auto setup = beam_setup();
-    setup.rupture = RuptureParameters{};
-    setup.rupture->elastic_strain = 0.01;
-    setup.contact = ContactParameters{};
+    setup.get<RuptureParameters>() = RuptureParameters{};
+    setup.get<RuptureParameters>()->elastic_strain = 0.01;
+    setup.get<ContactParameters>() = ContactParameters{};
     setup.run.time_step_ratio = ratio;
     Simulation simulation(setup, row_of(2));
     set_velocity(simulation, 0, {400, 0, 0});
@@ -208,7 +208,7 @@ TEST(Rebonding, needs_its_pressure_and_makes_a_bond_free_of_load) {
   const double l = 2 * hand_radius, depth = 0.002 * l;
   for (const double share : {0.9, 1.1}) {
     auto setup = led({0, 0.02 * l, 0, -depth, -depth, 0});
-    setup.contact->rebonding_pressure = stiffness * 0.002 / share;
+    setup.get<ContactParameters>()->rebonding_pressure = stiffness * 0.002 / share;
     Simulation simulation(setup, row_of(2));
     simulation.advance(1500);
     EXPECT_EQ(seen(simulation, "broken_bonds"), 1);

@@ -33,8 +33,8 @@ TEST_P(CellSmallerThanTheRange, moves_as_a_large_cell_does) {
   // A range of 2.4 and 5 radii about a cell of 4.
   for (const double range : {1.2, 2.5}) {
     auto setup = central_setup(usual<Mie>(), range);
-    setup.central_forces->equilibrium = GetParam();
-    setup.central_forces->dissipation = 0.01;
+    setup.get<CentralForceParameters>()->equilibrium = GetParam();
+    setup.get<CentralForceParameters>()->dissipation = 0.01;
     setup.run.time_step = 5e-9;
     Simulation small(setup, cells(1), true), large(setup, cells(4), true);
     std::mt19937_64 random(3);

@@ -17,8 +17,8 @@ TEST_P(Contrast, of_a_million_reaches_the_exact_steady_state) {
   left.kind = right.kind = Region::Kind::box;
   left.upper.x = right.lower.x = 1e-3;  // between the fifth and the sixth layer
   setup.materials = {material_of(2790, 880, 134, left), material_of(2790, 880, 134e-6, right)};
-  setup.temperatures = {held_wall("x_low", 798), held_wall("x_high", 298)};
-  setup.conduction->tolerance = 0.01;
+  setup.all<ImposedTemperatureParameters>() = {held_wall("x_low", 798), held_wall("x_high", 298)};
+  setup.get<ConductionParameters>()->tolerance = 0.01;
   setup.run.steps.reset();
   setup.run.duration = 2e5;  // 11 times the slow layer's L²/α
   Simulation simulation(setup, crystal("simple_cubic", {10, 3, 3}));

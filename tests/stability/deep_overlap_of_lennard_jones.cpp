@@ -12,9 +12,9 @@ namespace {
 
 Setup pressed() {
   auto setup = central_setup(usual<LennardJones>(), 20);
-  setup.central_forces->equilibrium = Equilibrium::radii;
-  setup.central_forces->bond_tolerance = 0.5;
-  setup.central_forces->interpenetration = 0.3;
+  setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
+  setup.get<CentralForceParameters>()->bond_tolerance = 0.5;
+  setup.get<CentralForceParameters>()->interpenetration = 0.3;
   return setup;
 }
 
@@ -62,7 +62,7 @@ TEST(DeepOverlapOfLennardJones, is_told) {
   auto setup = pressed();
   Simulation simulation(setup, row_of(2, 2 * 0.6));
   simulation.advance(1);
-  EXPECT_TRUE(simulation.central_forces()->has_exceeded());
+  EXPECT_TRUE(simulation.find<CentralForces>()->has_exceeded());
   EXPECT_NEAR(seen(simulation, "largest_interpenetration"), 0.4, 1e-12);
   Simulation shallow(setup, row_of(2, 2 * 0.75));
   shallow.advance(1);

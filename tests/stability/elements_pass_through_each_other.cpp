@@ -19,8 +19,8 @@ struct Passage {
 Passage shoot(double beside, double step, double speed = 6000) {
   ShiftedLennardJones law{25, 1.3};
   auto setup = central_setup(law, 3);
-  setup.central_forces->equilibrium = Equilibrium::radii;
-  setup.central_forces->interpenetration = 0.999;
+  setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
+  setup.get<CentralForceParameters>()->interpenetration = 0.999;
   setup.run.time_step = step;
   const double r = hand_radius;
   Simulation simulation(setup, elements_at({{-2.5 * r, 0, 0}, {2.5 * r, beside * r, 0}}));

@@ -14,7 +14,7 @@ namespace {
 
 TEST(FragmentsMeetAgain, and_stick_or_rebound_with_momentum_and_energy) {
   auto setup = central_setup(usual<Piecewise>(), 1.3);
-  setup.central_forces->dissipation = 0.05;
+  setup.get<CentralForceParameters>()->dissipation = 0.05;
   std::vector<Vector> places = lattice({4, 4, 4});
   for (const Vector& place : lattice({4, 4, 4}, 2, 0, {8 * hand_radius, 0, 0}))
     places.push_back(place);

@@ -20,8 +20,8 @@ Specimen two_blocks() {
 
 Setup impact(const CentralLaw& law) {
   auto setup = central_setup(law, 1.3);
-  setup.central_forces->interpenetration = 0.3;
-  setup.initial_velocities = {{between(-1, 10 * hand_radius), {speed, 0, 0}},
+  setup.get<CentralForceParameters>()->interpenetration = 0.3;
+  setup.all<InitialVelocity>() = {{between(-1, 10 * hand_radius), {speed, 0, 0}},
                               {between(10 * hand_radius, 1), {-speed, 0, 0}}};
   return setup;
 }

@@ -24,11 +24,11 @@ class LonelyElements : public testing::TestWithParam<std::tuple<HeatLaw, HeatInt
 TEST_P(LonelyElements, follow_their_neighbour_or_stay) {
   const auto [law, integrator] = GetParam();
   auto setup = heat_setup(law, integrator);
-  setup.conduction->area_factor =
+  setup.get<ConductionParameters>()->area_factor =
       law == HeatLaw::platonic_calibrated ? std::optional<double>(0.8) : std::nullopt;
-  setup.temperatures.push_back({"hot", face(0, false, 0.6), TimeFunction::constant(798)});
+  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, false, 0.6), TimeFunction::constant(798)});
   const bool is_explicit = integrator == HeatIntegratorName::explicit_euler;
-  if (!is_explicit) setup.conduction->tolerance = 1e-3;
+  if (!is_explicit) setup.get<ConductionParameters>()->tolerance = 1e-3;
   setup.run.steps.reset();
   setup.run.duration = 1.0;
   if (is_explicit) setup.run.time_step_ratio = 1;
@@ -47,7 +47,7 @@ TEST_P(LonelyElements, follow_their_neighbour_or_stay) {
 
 TEST(LonelyElements, take_no_heat_from_a_source_and_are_no_sensors) {
   auto setup = heat_setup(HeatLaw::platonic, HeatIntegratorName::explicit_euler);
-  setup.heat_sources.push_back(ball_source(1, {}, 1e11));
+  setup.all<HeatSourceParameters>().push_back(ball_source(1, {}, 1e11));
   const Specimen body = chain_and_hermit();
   setup.sensors.push_back({"hermit", body.position.back()});
   Simulation simulation(setup, body);

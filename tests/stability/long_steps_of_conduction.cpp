@@ -16,12 +16,12 @@ TEST_P(LongSteps, of_a_hundred_explicit_limits_hold) {
   const auto [law, integrator] = GetParam();
   const Specimen body = jittered("bcc", {40, 4, 4});
   auto setup = heat_setup(law, HeatIntegratorName::explicit_euler);
-  setup.temperatures.push_back(held_wall("x_low", 798));
+  setup.all<ImposedTemperatureParameters>().push_back(held_wall("x_low", 798));
   setup.run.time_step_ratio = 1;
   Simulation reference(setup, body);
   const double limit = reference.time_step().limit;
 
-  setup.conduction->integrator = integrator;
+  setup.get<ConductionParameters>()->integrator = integrator;
   setup.run.time_step_ratio.reset();
   setup.run.time_step = 100 * limit;
   Simulation simulation(setup, body);

@@ -11,7 +11,7 @@ namespace {
 
 TEST(MillionStepsOfALattice, lose_and_gain_no_energy) {
   auto setup = fixed_setup(usual<Mie>(), 5);
-  setup.central_forces->bond_tolerance = 0.1;
+  setup.get<CentralForceParameters>()->bond_tolerance = 0.1;
   Simulation simulation(setup, elements_at(lattice({2, 2, 2}, 2, 0.05)));
   shake(simulation, 20);
   simulation.advance(1);

@@ -37,7 +37,7 @@ TEST(RadiiOneToTwenty, run_with_energy_to_second_order_and_momentum) {
   double last = 0;
   for (const double ratio : {0.2, 0.1}) {
     auto setup = fixed_setup(usual<Mie>(), 3);
-    setup.central_forces->bond_tolerance = 0.1;
+    setup.get<CentralForceParameters>()->bond_tolerance = 0.1;
     setup.run.time_step_ratio = ratio;
     Simulation simulation(setup, large_and_small());
     shake(simulation, 2);
@@ -69,7 +69,7 @@ TEST(RadiiOneToTwenty, find_all_neighbours_while_they_move) {
           ++pairs;
     EXPECT_EQ(seen(simulation, "interactions"), pairs);
   }
-  EXPECT_GT(simulation.central_forces()->searches(), 5u);
+  EXPECT_GT(simulation.find<CentralForces>()->searches(), 5u);
 }
 
 TEST(RadiiOneToTwenty, have_the_stable_step_of_the_smallest) {

@@ -18,14 +18,14 @@ namespace {
 /// A bar that is drawn until it tears, then pushed back together.
 Setup torn_and_pushed(FlowLaw flow, bool rebonds, std::int64_t steps, double step) {
   auto setup = yielding_setup(2e-3, 0.01, flow);
-  setup.rupture = RuptureParameters{};
-  setup.rupture->strain = 0.02;
-  setup.contact = ContactParameters{};
-  if (rebonds) setup.contact->rebonding_pressure = 1e9;
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->strain = 0.02;
+  setup.get<ContactParameters>() = ContactParameters{};
+  if (rebonds) setup.get<ContactParameters>()->rebonding_pressure = 1e9;
   const double end = static_cast<double>(steps) * step;
   auto right = hold("right", face(0, true, 1.5));
   right.axis[0].function = {{0, 0.5 * end, end}, {0, 1.2e-4, -6e-5}};
-  setup.grips = {hold("left", face(0, false, 1.5)), right};
+  setup.all<GripParameters>() = {hold("left", face(0, false, 1.5)), right};
   setup.run.steps = steps;
   setup.run.time_step = step;
   return setup;

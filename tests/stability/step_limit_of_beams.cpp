@@ -14,7 +14,7 @@ namespace {
 /// Sets every element in a motion too small for any limit, which has a part of every mode; in
 /// single precision far above its round-off.
 void disturb(Simulation& simulation) {
-  const bool mixed = simulation.setup().beams->precision == BeamParameters::Precision::mixed;
+  const bool mixed = simulation.setup().get<BeamParameters>()->precision == BeamParameters::Precision::mixed;
   const double speed = mixed ? 0.1 : 1e-9;  // m/s
   Model& model = simulation.model();
   double* velocity = model.data(columns::velocity);
@@ -51,14 +51,14 @@ struct Case {
 
   Setup setup() const {
     auto setup = beam_setup(law);
-    setup.beams->radius_ratio = radius_ratio;
-    setup.beams->radius_from = radius_from;
-    if (mixed) setup.beams->precision = BeamParameters::Precision::mixed;
+    setup.get<BeamParameters>()->radius_ratio = radius_ratio;
+    setup.get<BeamParameters>()->radius_from = radius_from;
+    if (mixed) setup.get<BeamParameters>()->precision = BeamParameters::Precision::mixed;
     if (limited) {
-      setup.plasticity = PlasticityParameters{flow, 2e-3, 0.01};
-      setup.rupture = RuptureParameters{};
-      setup.rupture->strain = 0.1;
-      setup.contact = ContactParameters{};
+      setup.get<PlasticityParameters>() = PlasticityParameters{flow, 2e-3, 0.01};
+      setup.get<RuptureParameters>() = RuptureParameters{};
+      setup.get<RuptureParameters>()->strain = 0.1;
+      setup.get<ContactParameters>() = ContactParameters{};
     }
     return setup;
   }
@@ -108,8 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(StepLimitOfBeams, is_found_without_a_trace) {
   auto setup = yielding_setup(1e-9);
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 2e-9;
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->elastic_strain = 2e-9;
   const Simulation simulation(setup, random_bar(100));
   EXPECT_GT(simulation.time_step().limit, 0);
   EXPECT_EQ(seen(simulation, "plastic_work"), 0);
@@ -132,7 +132,7 @@ TEST(StepLimitOfBeams, holds_while_the_body_flows) {
     auto setup = yielding_setup(2e-3, 0.01, flow);
     const Specimen body = random_bar(150);
     setup.run.time_step = 0.97 * Simulation(setup, body).time_step().limit;
-    setup.grips = {hold("left", face(0, false)), pull("right", face(0, true), 20)};
+    setup.all<GripParameters>() = {hold("left", face(0, false)), pull("right", face(0, true), 20)};
     Simulation simulation(setup, body);
     double highest = 0;
     while (simulation.time() < 5e-6) {
@@ -152,14 +152,14 @@ TEST(StepLimitOfBeams, holds_while_the_body_flows) {
 TEST(StepLimitOfBeams, counts_stiff_contacts) {
   // Two elements whose bond is broken and that meet: the contact is 25 times as stiff as the bond.
   auto setup = beam_setup();
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 1e-3;
-  setup.contact = ContactParameters{};
-  setup.contact->stiffness_ratio = 25;
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->elastic_strain = 1e-3;
+  setup.get<ContactParameters>() = ContactParameters{};
+  setup.get<ContactParameters>()->stiffness_ratio = 25;
   const Specimen two = row_of(2);
   setup.run.time_step_ratio = 1e-3;
   const double limit = Simulation(setup, two).time_step().limit;
-  setup.contact.reset();
+  setup.get<ContactParameters>().reset();
   const double of_bonds = Simulation(setup, two).time_step().limit;
   EXPECT_LT(limit, 0.21 * of_bonds);
 }

@@ -27,8 +27,8 @@ bool grows(Setup setup, const Specimen& body, double time_step) {
 
 TEST_P(StepLimit, is_met_by_the_estimate) {
   auto setup = heat_setup(GetParam(), HeatIntegratorName::explicit_euler);
-  setup.temperatures.push_back(held_wall("x_low", 298));
-  setup.convections.push_back(
+  setup.all<ImposedTemperatureParameters>().push_back(held_wall("x_low", 298));
+  setup.all<ConvectionParameters>().push_back(
       {"air", "x_high", TimeFunction::constant(1e6), TimeFunction::constant(298)});
   SpecimenRecipe recipe;
   recipe.shape = "box";

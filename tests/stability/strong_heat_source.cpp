@@ -14,8 +14,8 @@ class StrongSource : public testing::TestWithParam<HeatIntegratorName> {};
 TEST_P(StrongSource, heats_by_its_power) {
   auto setup = heat_setup(HeatLaw::voronoi, GetParam());
   const Vector centre{1e-3, 1e-3, 1e-3};
-  setup.heat_sources.push_back(ball_source(4e-4, centre, 1e11));
-  if (GetParam() != HeatIntegratorName::explicit_euler) setup.conduction->tolerance = 0.1;
+  setup.all<HeatSourceParameters>().push_back(ball_source(4e-4, centre, 1e11));
+  if (GetParam() != HeatIntegratorName::explicit_euler) setup.get<ConductionParameters>()->tolerance = 0.1;
   setup.run.steps.reset();
   setup.run.duration = 0.02;
   if (GetParam() == HeatIntegratorName::explicit_euler) setup.run.time_step_ratio = 0.95;
@@ -42,7 +42,7 @@ TEST(StrongSource, of_a_given_power_brings_in_exactly_that) {
   source.is_density = false;
   source.position[0] = {{0, 1}, {2e-4, 0.2}};  // on its way through the body
   source.position[1] = source.position[2] = TimeFunction::constant(1e-3);
-  setup.heat_sources.push_back(source);
+  setup.all<HeatSourceParameters>().push_back(source);
   Simulation simulation(setup, jittered("simple_cubic", {10, 10, 10}));
   simulation.advance(200);
   EXPECT_NEAR(value_of(simulation.observe(), "heat_input") / (25 * simulation.time()), 1, 1e-12);

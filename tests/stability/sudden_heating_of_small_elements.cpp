@@ -22,9 +22,9 @@ class SuddenHeating : public testing::TestWithParam<std::tuple<HeatLaw, HeatInte
 TEST_P(SuddenHeating, of_small_elements_stays_between_the_two_temperatures) {
   const auto [law, integrator] = GetParam();
   auto setup = heat_setup(law, integrator);
-  setup.temperatures.push_back(held_wall("x_low", 798));
+  setup.all<ImposedTemperatureParameters>().push_back(held_wall("x_low", 798));
   const bool is_explicit = integrator == HeatIntegratorName::explicit_euler;
-  if (!is_explicit) setup.conduction->tolerance = 1;
+  if (!is_explicit) setup.get<ConductionParameters>()->tolerance = 1;
   // α t / L² up to 0.3, where the far end has warmed by half.
   setup.run.steps.reset();
   setup.run.duration = 0.3 * 30e-6 * 30e-6 / (134 / (2790.0 * 880.0));

@@ -24,9 +24,9 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 Setup breaking_setup(const Case& c) {
   auto setup = c.flows ? yielding_setup(2e-3, 0.007) : beam_setup();
-  setup.rupture = RuptureParameters{};
-  setup.rupture->strain = c.flows ? 0.03 : 0.01;
-  if (c.touches) setup.contact = ContactParameters{};
+  setup.get<RuptureParameters>() = RuptureParameters{};
+  setup.get<RuptureParameters>()->strain = c.flows ? 0.03 : 0.01;
+  if (c.touches) setup.get<ContactParameters>() = ContactParameters{};
   return setup;
 }
 
@@ -35,7 +35,7 @@ class TornBar : public testing::TestWithParam<Case> {};
 TEST_P(TornBar, ends_in_two_pieces_with_its_energy_accounted_for) {
   const Case& c = GetParam();
   auto setup = breaking_setup(c);
-  setup.grips = {hold("left", face(0, false, 1.5)), pull("right", face(0, true, 1.5), c.speed)};
+  setup.all<GripParameters>() = {hold("left", face(0, false, 1.5)), pull("right", face(0, true, 1.5), c.speed)};
   const Specimen body = random_bar(250);
   Simulation simulation(setup, body);
   const double time = (c.flows ? 0.06 : 0.03) * 3e-3 / c.speed;

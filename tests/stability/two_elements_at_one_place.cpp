@@ -38,8 +38,8 @@ TEST(TwoElementsAtOnePlace, do_nothing_to_each_other_in_a_run) {
   for (const CentralLaw& law : usual_laws())
     for (const bool drags : {false, true}) {
       auto setup = central_setup(law);
-      if (drags) setup.central_forces->dissipation = 0.05;
-      setup.damage = DamageParameters{0.3, 1, 0, 100};
+      if (drags) setup.get<CentralForceParameters>()->dissipation = 0.05;
+      setup.get<DamageParameters>() = DamageParameters{0.3, 1, 0, 100};
       setup.run.time_step_ratio = 0.1;
       Simulation simulation(setup, elements_at({{0, 0, 0},
                                                 {2 * hand_radius, 0, 0},
@@ -64,8 +64,8 @@ TEST(TwoElementsAtOnePlace, by_a_head_on_flight_leave_it_again) {
   // Without any attraction or repulsion until the very middle is met: a law that is all but void.
   for (const bool drags : {false, true}) {
     auto setup = central_setup(ShiftedLennardJones{1e-300, 1.3}, 3);
-    setup.central_forces->bond_tolerance = 0;
-    if (drags) setup.central_forces->dissipation = 1e-300;
+    setup.get<CentralForceParameters>()->bond_tolerance = 0;
+    if (drags) setup.get<CentralForceParameters>()->dissipation = 1e-300;
     setup.run.time_step = std::ldexp(1.0, -27);
     const double x = std::ldexp(1.0, -12);
     Simulation simulation(setup, elements_at({{-x, 0, 0}, {x, 0, 0}, {0, 1, 0}, {2e-4, 1, 0}}),

@@ -61,7 +61,7 @@ inline Specimen random_bar(int elements, int seed = 1) {
 /// Aluminium by beams of a law.
 inline Setup beam_setup(BeamLaw law = BeamLaw::euler_bernoulli) {
   auto setup = elastic_setup();
-  setup.beams->law = law;
+  setup.get<BeamParameters>()->law = law;
   return setup;
 }
 
@@ -70,7 +70,7 @@ inline Setup yielding_setup(double yield_strain = 2e-3, double hardening_ratio =
                             FlowLaw flow = FlowLaw::radial_return,
                             BeamLaw law = BeamLaw::euler_bernoulli) {
   auto setup = beam_setup(law);
-  setup.plasticity = PlasticityParameters{flow, yield_strain, hardening_ratio};
+  setup.get<PlasticityParameters>() = PlasticityParameters{flow, yield_strain, hardening_ratio};
   return setup;
 }
 

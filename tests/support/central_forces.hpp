@@ -69,7 +69,7 @@ inline Setup central_setup(const CentralLaw& law = usual<Mie>(), double range = 
   forces.law = law;
   forces.range = range;
   forces.bond_tolerance = range - 1;
-  setup.central_forces = forces;
+  setup.get<CentralForceParameters>() = forces;
   setup.run.steps = 0;
   return setup;
 }
@@ -77,7 +77,7 @@ inline Setup central_setup(const CentralLaw& law = usual<Mie>(), double range = 
 /// The same among the pairs of the start only.
 inline Setup fixed_setup(const CentralLaw& law = usual<Mie>(), double range = 1.5) {
   auto setup = central_setup(law, range);
-  setup.central_forces->neighbours = Neighbours::fixed;
+  setup.get<CentralForceParameters>()->neighbours = Neighbours::fixed;
   return setup;
 }
 

@@ -19,8 +19,8 @@ using HeatIntegratorName = ConductionParameters::Integrator;
 /// Aluminium at 298 K.
 inline Setup heat_setup(HeatLaw law, HeatIntegratorName integrator) {
   auto setup = thermal_setup();
-  setup.conduction->law = law;
-  setup.conduction->integrator = integrator;
+  setup.get<ConductionParameters>()->law = law;
+  setup.get<ConductionParameters>()->integrator = integrator;
   return setup;
 }
 

@@ -61,7 +61,7 @@ inline Setup elastic_setup() {
   beams.young_modulus = 3.5e12;
   beams.shear_modulus = 1.35e12;
   beams.radius_ratio = 0.27;
-  setup.beams = beams;
+  setup.get<BeamParameters>() = beams;
   setup.run.steps = 0;
   return setup;
 }
@@ -70,8 +70,8 @@ inline Setup elastic_setup() {
 inline Setup thermal_setup() {
   Setup setup;
   setup.materials.push_back(material_of(2790, 880, 134));
-  setup.conduction = ConductionParameters{};
-  setup.conduction->initial_temperature = 298;
+  setup.get<ConductionParameters>() = ConductionParameters{};
+  setup.get<ConductionParameters>()->initial_temperature = 298;
   setup.run.steps = 0;
   return setup;
 }

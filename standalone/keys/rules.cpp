@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scene/rules.hpp"
+#include "keys/rules.hpp"
 
 #include <fmt/format.h>
 
@@ -96,16 +96,19 @@ std::string read_text(const Value& value, const std::string& expected) {
 }
 
 Rule flag(bool& place) {
-  return {"true or false", [&place](const Value& value) {
+  return {"true or false",
+          [&place](const Value& value) {
             if (!value.node().is_boolean()) value.refuse("neither true nor false", "true or false");
             place = value.node().as_boolean()->get();
             value.note(place ? "true" : "false");
-          }};
+          },
+          [&place]() -> Shown { return place; }};
 }
 
 Rule text(std::string& place) {
   return {"text in quotes",
-          [&place](const Value& value) { place = read_text(value, "text in quotes"); }};
+          [&place](const Value& value) { place = read_text(value, "text in quotes"); },
+          [&place]() -> Shown { return place; }};
 }
 
 Rule name(std::string& place, std::set<std::string>& taken) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef SOLIDEM_SCENE_RECORD_HPP
-#define SOLIDEM_SCENE_RECORD_HPP
+#ifndef SOLIDEM_KEYS_RECORD_HPP
+#define SOLIDEM_KEYS_RECORD_HPP
 
 #include <string>
 #include <utility>

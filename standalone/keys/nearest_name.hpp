@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef SOLIDEM_SCENE_NEAREST_NAME_HPP
-#define SOLIDEM_SCENE_NEAREST_NAME_HPP
+#ifndef SOLIDEM_KEYS_NEAREST_NAME_HPP
+#define SOLIDEM_KEYS_NEAREST_NAME_HPP
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scene/units.hpp"
+#include "keys/units.hpp"
 
 #include <udunits2.h>
 

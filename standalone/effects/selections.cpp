@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "engine/selections.hpp"
+#include "effects/selections.hpp"
 
 #include <cstdio>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scene/section.hpp"
+#include "keys/section.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "keys/nearest_name.hpp"
 #include "model/error.hpp"
-#include "scene/nearest_name.hpp"
 
 namespace solidem {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scene/regions.hpp"
+#include "keys/regions.hpp"
 
 #include <algorithm>
 
-#include "scene/rules.hpp"
+#include "keys/rules.hpp"
 
 namespace solidem {
 

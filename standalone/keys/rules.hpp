@@ -2,23 +2,25 @@
 //
 // The kinds of values a scene is made of. Each function makes the rule that reads one kind into a
 // place; an std::optional is a place too.
-#ifndef SOLIDEM_SCENE_RULES_HPP
-#define SOLIDEM_SCENE_RULES_HPP
+#ifndef SOLIDEM_KEYS_RULES_HPP
+#define SOLIDEM_KEYS_RULES_HPP
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "keys/nearest_name.hpp"
+#include "keys/section.hpp"
+#include "keys/units.hpp"
 #include "model/specimen.hpp"
 #include "model/temperature_function.hpp"
 #include "model/time_function.hpp"
-#include "scene/nearest_name.hpp"
-#include "scene/section.hpp"
-#include "scene/units.hpp"
 
 namespace solidem {
 
@@ -60,25 +62,43 @@ TimeFunction read_function(const Value& value, const Dimension& dimension, const
 /// {time, position}: a place that moves.
 std::array<TimeFunction, 3> read_path(const Section& section);
 
+/// What stands in a place.
+template <class Number>
+Shown shown(Number value) {
+  if constexpr (std::is_integral_v<Number>)
+    return static_cast<std::int64_t>(value);
+  else
+    return value;
+}
+template <class Place>
+Shown shown(const std::optional<Place>& value) {
+  return value ? shown(*value) : Shown{};
+}
+
 template <class Place>
 Rule quantity(Place& place, const Dimension& dimension, const Range& range = anything) {
-  return {describe(dimension, range), [&place, dimension, range](const Value& value) {
+  return {describe(dimension, range),
+          [&place, dimension, range](const Value& value) {
             place = read_quantity(value, dimension, range);
-          }};
+          },
+          [&place] { return shown(place); }};
 }
 
 template <class Place>
 Rule number(Place& place, const Range& range = anything) {
   return {"a number" + range.text(),
-          [&place, range](const Value& value) { place = read_number(value, range); }};
+          [&place, range](const Value& value) { place = read_number(value, range); },
+          [&place] { return shown(place); }};
 }
 
 template <class Place>
 Rule integer(Place& place, std::int64_t lower,
              std::int64_t upper = std::numeric_limits<std::int64_t>::max()) {
-  return {"an integer from " + std::to_string(lower), [&place, lower, upper](const Value& value) {
+  return {"an integer from " + std::to_string(lower),
+          [&place, lower, upper](const Value& value) {
             place = static_cast<Place>(read_integer(value, lower, upper));
-          }};
+          },
+          [&place] { return shown(place); }};
 }
 
 Rule flag(bool& place);
@@ -117,7 +137,8 @@ Rule choice(Place& place, const std::vector<std::pair<std::string, Place>>& word
     quoted.push_back("\"" + word.first + "\"");
   }
   const std::string expected = (names.size() > 1 ? "one of " : "") + join(quoted);
-  return {expected, [&place, words, names, expected](const Value& value) {
+  return {expected,
+          [&place, words, names, expected](const Value& value) {
             const std::string given = read_text(value, expected);
             for (const auto& word : words) {
               if (word.first != given) continue;
@@ -125,6 +146,11 @@ Rule choice(Place& place, const std::vector<std::pair<std::string, Place>>& word
               return;
             }
             value.refuse("unknown" + did_you_mean(given, names), expected);
+          },
+          [&place, words]() -> Shown {
+            for (const auto& word : words)
+              if (word.second == place) return word.first;
+            return {};
           }};
 }
 

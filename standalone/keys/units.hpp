@@ -3,8 +3,8 @@
 // Quantities as a user writes them ("73 GPa", "3.3 mm/s", "25 °C"), understood by UDUNITS-2 and
 // turned into SI. Each place of a scene expects one dimension; anything else is an error that says
 // what was found and what would be right.
-#ifndef SOLIDEM_SCENE_UNITS_HPP
-#define SOLIDEM_SCENE_UNITS_HPP
+#ifndef SOLIDEM_KEYS_UNITS_HPP
+#define SOLIDEM_KEYS_UNITS_HPP
 
 #include <string>
 

@@ -11,17 +11,19 @@
 // Everything that is not in the list is refused, so a list is the whole grammar of its section.
 // Every error is an InputError that reads `file:line: [section] key = value: problem; expected
 // ...`.
-#ifndef SOLIDEM_SCENE_SECTION_HPP
-#define SOLIDEM_SCENE_SECTION_HPP
+#ifndef SOLIDEM_KEYS_SECTION_HPP
+#define SOLIDEM_KEYS_SECTION_HPP
 
 #include <toml++/toml.h>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "scene/record.hpp"
+#include "keys/record.hpp"
 
 namespace solidem {
 
@@ -62,10 +64,14 @@ class Value {
   std::shared_ptr<Record> record_;
 };
 
+/// A value as it stands in its place: none where nothing was given.
+using Shown = std::variant<std::monostate, double, std::int64_t, bool, std::string>;
+
 /// How one value is read into its place, and what it must be, in words.
 struct Rule {
   std::string expected;
   std::function<void(const Value&)> read;  ///< refuses what does not follow the rule
+  std::function<Shown()> show{};           ///< the value in its place; null: it is no single value
 };
 
 /// A key that a section knows.
@@ -73,7 +79,20 @@ struct Key {
   std::string name;
   Rule rule;
   bool is_required;
-  std::string reason;  ///< why a required key is required, when it is not always
+  std::string reason;       ///< why a required key is required, when it is not always
+  std::string meaning{};    ///< what it says, for the pages
+  std::string otherwise{};  ///< what holds without it, where that is no value of its place
+
+  Key means(const std::string& words) const {
+    Key key = *this;
+    key.meaning = words;
+    return key;
+  }
+  Key without(const std::string& words) const {
+    Key key = *this;
+    key.otherwise = words;
+    return key;
+  }
 };
 
 inline Key must_have(const std::string& name, const Rule& rule, const std::string& reason = "") {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef SOLIDEM_SCENE_REGIONS_HPP
-#define SOLIDEM_SCENE_REGIONS_HPP
+#ifndef SOLIDEM_KEYS_REGIONS_HPP
+#define SOLIDEM_KEYS_REGIONS_HPP
 
 #include <map>
 #include <string>
 
+#include "keys/section.hpp"
 #include "model/region.hpp"
-#include "scene/section.hpp"
 
 namespace solidem {
 

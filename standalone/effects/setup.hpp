@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef SOLIDEM_ENGINE_SETUP_HPP
-#define SOLIDEM_ENGINE_SETUP_HPP
+#ifndef SOLIDEM_EFFECTS_SETUP_HPP
+#define SOLIDEM_EFFECTS_SETUP_HPP
 
+#include <any>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 #include "effects/parameters.hpp"
+#include "model/gauge.hpp"
 #include "model/material.hpp"
 
 namespace solidem {
-
-/// A section of the specimen whose stress and strain are measured.
-struct Gauge {
-  int axis = 0;
-  double lower = 0, upper = 0;  ///< along the axis, m
-};
 
 /// A quantity followed at a point.
 struct Sensor {
@@ -46,29 +44,55 @@ struct OutputControl {
   std::int64_t checkpoint_every = 0;  ///< steps; 0: only at the end and when interrupted
 };
 
+/// What is asked of each effect, by the type of its parameters: those of an effect that acts once
+/// as an optional, those of one that may act several times as a list. So that an effect may join
+/// without a line here.
+class Requests {
+ public:
+  /// The parameters of an effect that acts once; none: the scene does not name it.
+  template <class Parameters>
+  std::optional<Parameters>& get() {
+    return held<std::optional<Parameters>>();
+  }
+  template <class Parameters>
+  const std::optional<Parameters>& get() const {
+    return held<std::optional<Parameters>>();
+  }
+
+  /// The parameters of each of several effects of a kind.
+  template <class Parameters>
+  std::vector<Parameters>& all() {
+    return held<std::vector<Parameters>>();
+  }
+  template <class Parameters>
+  const std::vector<Parameters>& all() const {
+    return held<std::vector<Parameters>>();
+  }
+
+ private:
+  template <class Held>
+  Held& held() {
+    std::any& place = by_type_[typeid(Held)];
+    if (!place.has_value()) place = Held{};
+    return *std::any_cast<Held>(&place);
+  }
+  template <class Held>
+  const Held& held() const {
+    static const Held nothing{};
+    const auto found = by_type_.find(typeid(Held));
+    return found == by_type_.end() ? nothing : *std::any_cast<Held>(&found->second);
+  }
+
+  std::map<std::type_index, std::any> by_type_;
+};
+
 /// Everything a simulation does to a specimen: the effects the scene names and nothing else.
-struct Setup {
+struct Setup : Requests {
   std::vector<Material> materials;
-  std::optional<BeamParameters> beams;
-  std::optional<PlasticityParameters> plasticity;
-  std::optional<RuptureParameters> rupture;
-  std::optional<ContactParameters> contact;
-  std::optional<CentralForceParameters> central_forces;
-  std::optional<DamageParameters> damage;
-  std::optional<ConductionParameters> conduction;
-  std::vector<GripParameters> grips;
-  std::vector<ImposedTemperatureParameters> temperatures;
-  std::vector<HeatFluxParameters> heat_fluxes;
-  std::vector<ConvectionParameters> convections;
-  std::vector<HeatSourceParameters> heat_sources;
-  std::vector<InitialVelocity> initial_velocities;
   std::vector<Sensor> sensors;
   std::optional<Gauge> gauge;
   RunControl run;
   OutputControl output;
-
-  /// Whether elements move.
-  bool has_motion() const { return beams || central_forces; }
 };
 
 }  // namespace solidem

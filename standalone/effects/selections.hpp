@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Which elements the regions of a setup mean, and complaints about those that mean nothing.
-#ifndef SOLIDEM_ENGINE_SELECTIONS_HPP
-#define SOLIDEM_ENGINE_SELECTIONS_HPP
+#ifndef SOLIDEM_EFFECTS_SELECTIONS_HPP
+#define SOLIDEM_EFFECTS_SELECTIONS_HPP
 
 #include <map>
 #include <string>

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// [beams] with [beams.anisotropy] and [beams.fibres]: keys, plan, making.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "effects/assembly.hpp"
+#include "effects/beams.hpp"
+#include "effects/effect_kind.hpp"
+#include "keys/rules.hpp"
+
+namespace solidem {
+
+namespace {
+
+Rule direction(Vector& place) {
+  const std::string expected = "three numbers [x, y, z], not all zero";
+  return {expected, [&place, expected](const Value& value) {
+            const std::vector<Value> entries = value.entries(3, expected);
+            Vector v{};
+            for (int k = 0; k < 3; ++k)
+              component(v, k) = read_number(entries[static_cast<std::size_t>(k)], anything);
+            const double length = norm(v);
+            if (!(length > 0) || !std::isfinite(length)) value.refuse("no direction", expected);
+            place = (1 / length) * v;
+          }};
+}
+
+/// Makes the radial axis perpendicular to the grain to the last bit, if it is within a thousandth.
+bool square_up(GrainAxes<double>& axes) {
+  const double along = dot(axes.radial, axes.longitudinal);
+  if (std::abs(along) > 1e-3) return false;
+  const Vector across = axes.radial - along * axes.longitudinal;
+  axes.radial = (1 / norm(across)) * across;
+  return true;
+}
+
+/// Some direction across the grain, where all of them are alike.
+Vector any_radial(const Vector& grain) {
+  Vector least{};
+  const double size[] = {std::abs(grain.x), std::abs(grain.y), std::abs(grain.z)};
+  component(least, size[0] <= size[1] && size[0] <= size[2] ? 0 : size[1] <= size[2] ? 1 : 2) = 1;
+  const Vector across = cross(cross(grain, least), grain);
+  return (1 / norm(across)) * across;
+}
+
+Rule anisotropy_section(BeamParameters& beams) {
+  return table([&beams](const Section& section) {
+    Anisotropy grain;
+    section.read(
+        {must_have("grain", direction(grain.axes.longitudinal)),
+         may_have("radial", direction(grain.axes.radial)),
+         must_have("tangential_modulus",
+                   quantity(grain.tangential_modulus, dimension::modulus, positive)),
+         may_have("radial_modulus", quantity(grain.radial_modulus, dimension::modulus, positive)),
+         may_have("transverse_shear_modulus",
+                  quantity(grain.transverse_shear_modulus, dimension::modulus, positive)),
+         may_have("exponent", number(grain.exponent, positive))});
+    if (section.has("radial") != section.has("radial_modulus"))
+      section.refuse(section.has("radial") ? "radial" : "radial_modulus",
+                     "one of radial and radial_modulus without the other",
+                     "both, or neither: all directions across the grain are alike");
+    if (!section.has("radial")) {
+      grain.axes.radial = any_radial(grain.axes.longitudinal);
+      grain.radial_modulus = grain.tangential_modulus;
+    } else if (!square_up(grain.axes)) {
+      section.refuse("radial", "not perpendicular to the grain",
+                     "a direction at right angles to grain");
+    }
+    if (section.has("transverse_shear_modulus") && beams.law == BeamParameters::Law::spring)
+      section.refuse("transverse_shear_modulus", "a spring has no shear modulus",
+                     "no such key beside law = \"spring\"");
+    beams.anisotropy = grain;
+  });
+}
+
+Rule fibres_section(BeamParameters& beams) {
+  return table([&beams](const Section& section) {
+    Fibres fibres;
+    section.read({may_have("direction", direction(fibres.rule.direction)),
+                  may_have("reach", number(fibres.rule.reach, Range{1, 10, false, true})),
+                  may_have("alignment", number(fibres.rule.alignment, Range{0, 1, true, false})),
+                  may_have("stiffness_ratio", number(fibres.stiffness_ratio, positive))});
+    if (!section.has("direction")) {
+      if (!beams.anisotropy)
+        section.refuse("direction", "nothing says along what",
+                       "direction = [x, y, z], or a section [beams.anisotropy] with its grain");
+      fibres.rule.direction = beams.anisotropy->axes.longitudinal;
+    }
+    beams.fibres = fibres;
+  });
+}
+
+using Law = BeamParameters::Law;
+using RadiusFrom = BeamParameters::RadiusFrom;
+using Precision = BeamParameters::Precision;
+
+std::vector<Key> beams_keys(BeamParameters& p, Reading& /*reading*/) {
+  return {
+      may_have("law", choice<Law>(p.law, {{"euler-bernoulli", Law::euler_bernoulli},
+                                          {"timoshenko", Law::timoshenko},
+                                          {"spring", Law::spring}}))
+          .means("a Timoshenko beam shears as well; a spring resists a change of length alone, and "
+                 "elements do not turn"),
+      must_have("young_modulus", quantity(p.young_modulus, dimension::modulus, positive))
+          .means("E of the beams"),
+      may_have("poisson_ratio", number(p.poisson_ratio, Range{-1, 0.5, false, true}))
+          .means("ν of the beams: G = E / (2 (1 + ν)); not for springs")
+          .without("either this"),
+      may_have("shear_modulus", quantity(p.shear_modulus, dimension::modulus, positive))
+          .means("G of the beams; not for springs")
+          .without("or this"),
+      may_have("shear_coefficient", number(p.shear_coefficient, Range{0, 1, false, true}))
+          .means("share of the section that bears shear, of Timoshenko beams"),
+      must_have("radius_ratio", number(p.radius_ratio, positive))
+          .means("radius of a beam as a multiple of"),
+      may_have("radius_from", choice<RadiusFrom>(p.radius_from, {{"mean", RadiusFrom::mean},
+                                                                 {"pair", RadiusFrom::pair}}))
+          .means("the specimen's mean radius, or (R_i + R_j) / 2"),
+      may_have("precision", choice<Precision>(p.precision, {{"double", Precision::whole},
+                                                            {"mixed", Precision::mixed}}))
+          .means("of the law; places, velocities and sums are double always; mixed for elastic "
+                 "Euler–Bernoulli beams that are all alike"),
+      may_have("anisotropy", anisotropy_section(p))
+          .means("beams that follow a grain, see below")
+          .without("all directions alike"),
+      may_have("fibres", fibres_section(p))
+          .means("bonds beyond contact along a direction, see below")
+          .without("none")};
+}
+
+void finish_beams(const Section& section, BeamParameters& p, Reading& /*reading*/) {
+  if (section.has("shear_coefficient") && p.law != Law::timoshenko)
+    section.refuse("shear_coefficient", "only Timoshenko beams shear",
+                   "law = \"timoshenko\" beside it");
+  if (p.precision == Precision::mixed && (p.law != Law::euler_bernoulli || !beams_are_alike(p)))
+    section.refuse("precision", "only Euler-Bernoulli beams that are all alike",
+                   "precision = \"double\", or radius_from = \"mean\" and no grain or fibres");
+  if (p.law == Law::spring) {
+    for (const char* key : {"poisson_ratio", "shear_modulus"})
+      if (section.has(key))
+        section.refuse(key, "a spring has no shear modulus", "no such key beside law = \"spring\"");
+    return;
+  }
+  section.exactly_one_of({"poisson_ratio", "shear_modulus"});
+  if (p.poisson_ratio) p.shear_modulus = p.young_modulus / (2 * (1 + *p.poisson_ratio));
+}
+
+std::string beam_kernel(const BeamDemands& demands, bool periodic) {
+  std::string kernel = demands.turning() ? "move_beams" : "move_beams, springs";
+  switch (demands.flow()) {
+    case BeamFlow::none:
+      break;
+    case BeamFlow::brittle:
+      kernel += ", brittle";
+      break;
+    case BeamFlow::radial_return:
+      kernel += ", radial return";
+      break;
+    case BeamFlow::scaled_offset:
+      kernel += ", scaled offset";
+      break;
+  }
+  if (!beams_are_alike(demands.elasticity)) kernel += ", a rigidity for each bond";
+  if (periodic) kernel += ", periodic";
+  if (demands.elasticity.precision == Precision::mixed) kernel += ", law in single precision";
+  return kernel;
+}
+
+void plan_beams(const Setup& setup, Plan& plan) {
+  const auto& beams = setup.get<BeamParameters>();
+  if (!beams) return;
+  const BeamDemands demands = demands_of(setup);
+  std::string reason = "[beams]";
+  if (beams->anisotropy) reason += " [beams.anisotropy]";
+  if (beams->fibres) reason += " [beams.fibres]";
+  if (demands.plasticity) reason += " [plasticity]";
+  plan.effects.push_back({"beams", reason, beam_kernel(demands, plan.periodic), Phase::move,
+                          [demands](Assembly& assembly) {
+                            return std::make_unique<Beams>(demands, assembly.mass, assembly.model);
+                          }});
+  plan.ask("beams", Beams::columns(demands, plan.periodic));
+}
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Vector& v) {
+  return {v.x, v.y, v.z};
+}
+
+Json to_json(const Anisotropy& grain) {
+  const auto& shear = grain.transverse_shear_modulus;
+  return {{"grain", to_json(grain.axes.longitudinal)},
+          {"radial", to_json(grain.axes.radial)},
+          {"radial_modulus", grain.radial_modulus},
+          {"tangential_modulus", grain.tangential_modulus},
+          {"transverse_shear_modulus", shear ? Json(*shear) : Json(nullptr)},
+          {"exponent", grain.exponent}};
+}
+
+Json to_json(const Fibres& fibres) {
+  return {{"direction", to_json(fibres.rule.direction)},
+          {"reach", fibres.rule.reach},
+          {"alignment", fibres.rule.alignment},
+          {"stiffness_ratio", fibres.stiffness_ratio}};
+}
+
+}  // namespace
+
+EffectKind beams_kind() {
+  EffectKind kind = single_kind<BeamParameters>("beams", beams_keys, finish_beams);
+  kind.provides = Provides::motion;
+  kind.plan = plan_beams;
+  kind.explain = [values = kind.explain](const Setup& setup, const Specimen& specimen, Json& json) {
+    const BeamParameters& beams = *setup.get<BeamParameters>();
+    values(setup, specimen, json);
+    json["mean_radius"] = mean_radius(specimen);
+    if (beams.anisotropy) json["anisotropy"] = to_json(*beams.anisotropy);
+    if (beams.fibres) json["fibres"] = to_json(*beams.fibres);
+  };
+  return kind;
+}
+
+}  // namespace solidem

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_EFFECTS_PUSH_HPP
+#define SOLIDEM_EFFECTS_PUSH_HPP
+
+#include "effects/effect.hpp"
+
+namespace solidem {
+
+/// Changes the velocity of an element along an axis, m/s, in a step in which it has moved already:
+/// its new place follows, and so does the velocity that its neighbours feel.
+inline void kick(Model& model, const Step& step, std::size_t element, int axis, double gain) {
+  model.data(columns::velocity)[Model::at(columns::velocity, element, axis)] += gain;
+  model.next_places()[element][axis] += step.time_step * gain;
+  if (model.has(columns::carried_velocity))
+    model.next(columns::carried_velocity)[4 * element + static_cast<std::size_t>(axis)] += gain;
+}
+
+/// A force, N, on an element through a step, besides that of its neighbours. An element that was
+/// removed stands still.
+inline void push(Model& model, const Step& step, std::int32_t element, const Vector& force) {
+  const auto i = static_cast<std::size_t>(element);
+  const double inverse_mass = model.data(columns::inverse_mass)[i];
+  for (int axis = 0; axis < 3; ++axis)
+    kick(model, step, i, axis, step.kick * inverse_mass * component(force, axis));
+}
+
+}  // namespace solidem
+
+#endif
