@@ -60,6 +60,9 @@ struct LawPlotCommand {
 /// `solidem law plot`: force, stiffness and potential as CSV and SVG.
 void plot_laws(const LawPlotCommand& command);
 
+/// `solidem keys`: the sections of effects, their keys and defaults, as Markdown; "": of all.
+void list_keys(const std::string& section);
+
 /// `solidem convert`, `solidem info`.
 void convert_specimen(const std::string& from, const std::string& to);
 void describe_specimen(const std::string& file);

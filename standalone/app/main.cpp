@@ -119,6 +119,11 @@ int main(int argc, char** argv) {
   law_plot->add_option("-o,--output", plot.output, "name of the files, without ending")->required();
   law_plot->callback([&] { chosen = [&] { return solidem::plot_laws(plot), 0; }; });
 
+  std::string section;
+  auto* keys = app.add_subcommand("keys", "The sections of effects, their keys and defaults");
+  keys->add_option("section", section, "of this section only");
+  keys->callback([&] { chosen = [&] { return solidem::list_keys(section), 0; }; });
+
   auto* info = app.add_subcommand("info", "Print the report of a specimen");
   info->add_option("file", from, "specimen file")->required();
   info->callback([&] { chosen = [&] { return solidem::describe_specimen(from), 0; }; });

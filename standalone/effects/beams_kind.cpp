@@ -44,18 +44,28 @@ Vector any_radial(const Vector& grain) {
   return (1 / norm(across)) * across;
 }
 
+std::vector<Key> anisotropy_keys(Anisotropy& p) {
+  return {
+      must_have("grain", direction(p.axes.longitudinal)).means("direction L"),
+      may_have("radial", direction(p.axes.radial))
+          .means("direction R, at right angles to the grain")
+          .without("all directions across the grain alike"),
+      must_have("tangential_modulus", quantity(p.tangential_modulus, dimension::modulus, positive))
+          .means("E of beams along T"),
+      may_have("radial_modulus", quantity(p.radial_modulus, dimension::modulus, positive))
+          .means("E of beams along R")
+          .without("needed with radial"),
+      may_have("transverse_shear_modulus",
+               quantity(p.transverse_shear_modulus, dimension::modulus, positive))
+          .means("G of beams across the grain")
+          .without("G keeps its ratio to E"),
+      may_have("exponent", number(p.exponent, positive)).means("p of |cos θ|^p")};
+}
+
 Rule anisotropy_section(BeamParameters& beams) {
   return table([&beams](const Section& section) {
     Anisotropy grain;
-    section.read(
-        {must_have("grain", direction(grain.axes.longitudinal)),
-         may_have("radial", direction(grain.axes.radial)),
-         must_have("tangential_modulus",
-                   quantity(grain.tangential_modulus, dimension::modulus, positive)),
-         may_have("radial_modulus", quantity(grain.radial_modulus, dimension::modulus, positive)),
-         may_have("transverse_shear_modulus",
-                  quantity(grain.transverse_shear_modulus, dimension::modulus, positive)),
-         may_have("exponent", number(grain.exponent, positive))});
+    section.read(anisotropy_keys(grain));
     if (section.has("radial") != section.has("radial_modulus"))
       section.refuse(section.has("radial") ? "radial" : "radial_modulus",
                      "one of radial and radial_modulus without the other",
@@ -74,13 +84,23 @@ Rule anisotropy_section(BeamParameters& beams) {
   });
 }
 
+std::vector<Key> fibre_keys(Fibres& p) {
+  return {
+      may_have("direction", direction(p.rule.direction))
+          .without("the grain; needed without `[beams.anisotropy]`"),
+      may_have("reach", number(p.rule.reach, Range{1, 10, false, true}))
+          .means("fibres join elements with d ≤ reach · (R_i + R_j); more than 1 + tolerance of "
+                 "the bonds"),
+      may_have("alignment", number(p.rule.alignment, Range{0, 1, true, false}))
+          .means("|cos| of the angle to the direction is above this"),
+      may_have("stiffness_ratio", number(p.stiffness_ratio, positive))
+          .means("moduli of a fibre over those of `[beams]`")};
+}
+
 Rule fibres_section(BeamParameters& beams) {
   return table([&beams](const Section& section) {
     Fibres fibres;
-    section.read({may_have("direction", direction(fibres.rule.direction)),
-                  may_have("reach", number(fibres.rule.reach, Range{1, 10, false, true})),
-                  may_have("alignment", number(fibres.rule.alignment, Range{0, 1, true, false})),
-                  may_have("stiffness_ratio", number(fibres.stiffness_ratio, positive))});
+    section.read(fibre_keys(fibres));
     if (!section.has("direction")) {
       if (!beams.anisotropy)
         section.refuse("direction", "nothing says along what",
@@ -211,6 +231,18 @@ EffectKind beams_kind() {
   EffectKind kind = single_kind<BeamParameters>("beams", beams_keys, finish_beams);
   kind.provides = Provides::motion;
   kind.plan = plan_beams;
+  kind.example =
+      "[beams]\n"
+      "young_modulus = \"200 GPa\"\n"
+      "poisson_ratio = 0.3\n"
+      "radius_ratio = 0.5\n";
+  kind.visit_keys = [keys = kind.visit_keys](const VisitKeys& visit) {
+    Anisotropy grain;
+    Fibres fibres;
+    keys(visit);
+    visit("beams.anisotropy", anisotropy_keys(grain));
+    visit("beams.fibres", fibre_keys(fibres));
+  };
   kind.explain = [values = kind.explain](const Setup& setup, const Specimen& specimen, Json& json) {
     const BeamParameters& beams = *setup.get<BeamParameters>();
     values(setup, specimen, json);

@@ -155,7 +155,7 @@ void visit_central_force_keys(const VisitKeys& visit) {
   std::string law;
   std::vector<Key> keys = common_keys(forces);
   keys.insert(keys.begin(), law_key(law));
-  visit(keys);
+  visit("central_forces", keys);
 }
 
 }  // namespace
@@ -170,6 +170,9 @@ EffectKind central_forces_kind() {
   kind.read = read_central_forces;
   kind.visit_keys = visit_central_force_keys;
   kind.plan = plan_central_forces;
+  kind.example =
+      "[central_forces]\nlaw = \"piecewise\"\nstiffness = \"1500 kN/m\"\nattraction = \"25 N\"\n"
+      "range = 1.2\ndissipation = \"0.02 N s/m\"\n";
   kind.explain = explain_central_forces;
   return kind;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// [conduction] and [[contacts]], surfaces between two materials: keys, plan, making.
+// [conduction] and [[thermal_contacts]], surfaces between two materials: keys, plan, making.
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
@@ -99,6 +99,10 @@ EffectKind conduction_kind() {
   EffectKind kind =
       single_kind<ConductionParameters>("conduction", conduction_keys, finish_conduction);
   kind.provides = Provides::heat;
+  kind.example =
+      "[conduction]\n"
+      "law = \"platonic\"\n"
+      "initial_temperature = \"298 K\"\n";
   kind.plan = plan_conduction;
   kind.explain = [values = kind.explain](const Setup& setup, const Specimen& specimen,
                                          nlohmann::ordered_json& json) {
@@ -110,7 +114,11 @@ EffectKind conduction_kind() {
 }
 
 EffectKind thermal_contacts_kind() {
-  EffectKind kind = list_kind<Contact>("contacts", contact_keys, as_read<Contact>);
+  EffectKind kind = list_kind<Contact>("thermal_contacts", contact_keys, as_read<Contact>);
+  kind.example =
+      "[[thermal_contacts]]\n"
+      "between = [\"left\", \"right\"]\n"
+      "conductance = \"1e5 W/(m^2 K)\"\n";
   kind.needs = Provides::heat;
   kind.is_named = [](const Setup& setup) {
     const auto& conduction = setup.get<ConductionParameters>();

@@ -162,24 +162,14 @@ void ElementContacts::bond_anew(const Candidate& candidate) {
 }
 
 void ElementContacts::observe(const Model& model, Observation& observation) const {
-  ObservedMotion& motion = observation.motion;
-  const double* inverse_mass = model.data(columns::inverse_mass);
   double stored = 0;
   for (const Candidate& candidate : candidates_) {
     const Vector to = chord(candidate);
     if (dot(to, to) >= candidate.distance * candidate.distance) continue;
     const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
     stored += contact_energy(candidate.stiffness, candidate.distance, to);
-    const auto push = [&](std::int32_t element, const Vector& on_it) {
-      const auto i = static_cast<std::size_t>(element);
-      motion.force[i] += on_it;
-      Vector& v = motion.velocity[i];
-      const Vector gain = observation.behind * inverse_mass[i] * on_it;
-      motion.kinetic_energy += 0.5 / inverse_mass[i] * (dot(v + gain, v + gain) - dot(v, v));
-      v += gain;
-    };
-    push(candidate.pair.i, force);
-    push(candidate.pair.j, -force);
+    observe_push(model, observation, candidate.pair.i, force);
+    observe_push(model, observation, candidate.pair.j, -force);
   }
   observation.energies.add(EnergyLedger::Kind::stored, "contact_energy", stored);
   if (parameters_.rebonding_pressure)
@@ -236,6 +226,9 @@ EffectKind contact_kind() {
   kind.beside = "rupture";
   kind.problem_alone = "no bond ever breaks";
   kind.plan = plan_contact;
+  kind.example =
+      "[contact]\n"
+      "rebonding_pressure = \"200 MPa\"\n";
   return kind;
 }
 

@@ -127,6 +127,11 @@ EffectKind damage_kind() {
   kind.beside = "central_forces";
   kind.problem_alone = "there are no central forces";
   kind.plan = plan_damage;
+  kind.example =
+      "[damage]\n"
+      "lip = 0.4\n"
+      "minimal_neighbours = 3\n"
+      "removal_every = 10\n";
   return kind;
 }
 

@@ -39,11 +39,14 @@ bool provides(const Setup& setup, Provides what) {
   });
 }
 
-std::string sections_that_provide(Provides what) {
-  std::string words;
+std::string sections_that_provide(const std::vector<Provides>& any_of) {
+  std::vector<std::string> names;
   for (const EffectKind& kind : effect_kinds())
-    if (kind.provides == what)
-      words += (words.empty() ? "a section [" : " or [") + kind.section + "]";
+    if (std::find(any_of.begin(), any_of.end(), kind.provides) != any_of.end())
+      names.push_back("[" + kind.section + "]");
+  std::string words = "a section ";
+  for (std::size_t k = 0; k < names.size(); ++k)
+    words += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
   return words;
 }
 

@@ -39,7 +39,8 @@ struct Reading {
   std::set<std::string> taken;                  ///< names of the entries of this section so far
 };
 
-using VisitKeys = std::function<void(const std::vector<Key>&)>;
+/// Is shown the name of a section, such as "beams.fibres", and its keys.
+using VisitKeys = std::function<void(const std::string&, const std::vector<Key>&)>;
 
 struct EffectKind {
   std::string section;   ///< of the scene file, "grips"
@@ -52,7 +53,11 @@ struct EffectKind {
 
   /// Reads the section into the setup.
   std::function<void(const Value&, Reading&)> read;
-  /// Shows the keys of its section, bound to parameters that hold the defaults.
+  /// A section that makes it act on a small body of a metal: for the pages, and for the tests that
+  /// every effect goes through.
+  std::string example;
+  /// Shows the keys of its section, and of those inside, bound to parameters that hold the
+  /// defaults.
   std::function<void(const VisitKeys&)> visit_keys;
   /// Whether a setup names it.
   std::function<bool(const Setup&)> is_named;
@@ -71,8 +76,8 @@ std::vector<EffectKind>& effect_kinds();
 /// Whether a setup names an effect that provides something.
 bool provides(const Setup& setup, Provides what);
 
-/// "a section [beams] or [central_forces]": what a scene needs for something to be provided.
-std::string sections_that_provide(Provides what);
+/// "a section [beams] or [central_forces]": what a scene needs for one of these to be provided.
+std::string sections_that_provide(const std::vector<Provides>& any_of);
 
 /// Adds the values of keys in their places, in SI units; keys that are no single value are left
 /// out.
@@ -110,10 +115,10 @@ EffectKind single_kind(const std::string& section, BindKeys<Parameters> keys,
       reading.setup.get<Parameters>() = parameters;
     }).read(value);
   };
-  kind.visit_keys = [keys](const VisitKeys& visit) {
+  kind.visit_keys = [section, keys](const VisitKeys& visit) {
     EmptyReading empty;
     Parameters parameters;
-    visit(keys(parameters, empty.reading));
+    visit(section, keys(parameters, empty.reading));
   };
   kind.explain = [keys](const Setup& setup, const Specimen&, nlohmann::ordered_json& values) {
     EmptyReading empty;
@@ -139,10 +144,10 @@ EffectKind list_kind(const std::string& section, BindKeys<Parameters> keys,
       reading.setup.all<Parameters>().push_back(parameters);
     }).read(value);
   };
-  kind.visit_keys = [keys](const VisitKeys& visit) {
+  kind.visit_keys = [section, keys](const VisitKeys& visit) {
     EmptyReading empty;
     Parameters parameters;
-    visit(keys(parameters, empty.reading));
+    visit(section, keys(parameters, empty.reading));
   };
   kind.explain = [keys](const Setup& setup, const Specimen&, nlohmann::ordered_json& list) {
     EmptyReading empty;

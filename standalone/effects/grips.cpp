@@ -229,6 +229,17 @@ EffectKind grips_kind() {
   EffectKind kind = list_kind<GripParameters>("grips", grip_keys, finish_grip);
   kind.needs = Provides::motion;
   kind.plan = plan_grips;
+  kind.example =
+      "[[grips]]\n"
+      "name = \"left\"\n"
+      "region = { axis = \"x\", side = \"low\", layers = 1 }\n"
+      "velocity = [\"0 m/s\", \"0 m/s\", \"0 m/s\"]\n"
+      "\n"
+      "[[grips]]\n"
+      "name = \"right\"\n"
+      "region = { axis = \"x\", side = \"high\", layers = 1 }\n"
+      "velocity = [{ time = [\"0 us\", \"1 us\"], value = [\"0 m/s\", \"-50 m/s\"] }, \"free\", "
+      "\"free\"]\n";
   return kind;
 }
 

@@ -90,6 +90,12 @@ EffectKind convections_kind() {
                                                     as_read<ConvectionParameters>);
   kind.needs = Provides::heat;
   kind.plan = plan_convections;
+  kind.example =
+      "[[convections]]\n"
+      "name = \"air\"\n"
+      "wall = \"z_high\"\n"
+      "coefficient = \"1000 W/(m^2 K)\"\n"
+      "temperature = \"350 K\"\n";
   return kind;
 }
 

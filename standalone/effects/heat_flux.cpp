@@ -37,6 +37,11 @@ EffectKind heat_fluxes_kind() {
       list_kind<HeatFluxParameters>("heat_fluxes", flux_keys, as_read<HeatFluxParameters>);
   kind.needs = Provides::heat;
   kind.plan = plan_fluxes;
+  kind.example =
+      "[[heat_fluxes]]\n"
+      "name = \"lamp\"\n"
+      "wall = \"y_high\"\n"
+      "flux = \"1 MW/m^2\"\n";
   return kind;
 }
 

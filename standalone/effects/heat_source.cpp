@@ -171,7 +171,7 @@ std::vector<Key> source_keys(ReadSource& p, Reading& reading) {
           may_have("velocity", vector(p.velocity, dimension::velocity)).without("zero"),
           may_have("path", path)
               .means("of the shape's centre, linear between the times, held outside")
-              .without("")};
+              .without("or this")};
 }
 
 void finish_source(const Section& section, ReadSource& p) {
@@ -227,9 +227,13 @@ EffectKind heat_sources_kind() {
   kind.visit_keys = [](const VisitKeys& visit) {
     EmptyReading empty;
     ReadSource read;
-    visit(source_keys(read, empty.reading));
+    visit("heat_sources", source_keys(read, empty.reading));
   };
   kind.plan = plan_sources;
+  kind.example =
+      "[[heat_sources]]\nname = \"spot\"\nshape = { kind = \"sphere\", radius = \"0.6 mm\" }\n"
+      "centre = [\"1 mm\", \"1 mm\", \"1 mm\"]\nvelocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]\n"
+      "power = \"1 kW\"\n";
   return kind;
 }
 

@@ -87,6 +87,16 @@ EffectKind temperatures_kind() {
       list_kind<ImposedTemperatureParameters>("temperatures", temperature_keys, finish_temperature);
   kind.needs = Provides::heat;
   kind.plan = plan_temperatures;
+  kind.example =
+      "[[temperatures]]\n"
+      "name = \"hot\"\n"
+      "region = { axis = \"x\", side = \"high\", layers = 1 }\n"
+      "value = \"400 K\"\n"
+      "\n"
+      "[[temperatures]]\n"
+      "name = \"cold\"\n"
+      "wall = \"x_low\"\n"
+      "value = \"280 K\"\n";
   return kind;
 }
 

@@ -47,6 +47,10 @@ EffectKind initial_velocities_kind() {
                                                finish_initial_velocity);
   kind.needs = Provides::motion;
   kind.start = start_moving;
+  kind.example =
+      "[[initial_velocities]]\n"
+      "region = { all = true }\n"
+      "stretching = [\"-40000 1/s\", \"40000 1/s\", \"0 1/s\"]\n";
   return kind;
 }
 

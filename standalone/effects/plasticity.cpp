@@ -47,6 +47,10 @@ EffectKind plasticity_kind() {
       single_kind<PlasticityParameters>("plasticity", plasticity_keys, finish_plasticity);
   kind.beside = "beams";
   kind.problem_alone = "there are no beams";
+  kind.example =
+      "[plasticity]\n"
+      "yield_strain = 0.001\n"
+      "hardening_ratio = 0.05\n";
   return kind;
 }
 

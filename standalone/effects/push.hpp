@@ -24,6 +24,21 @@ inline void push(Model& model, const Step& step, std::int32_t element, const Vec
     kick(model, step, i, axis, step.kick * inverse_mass * component(force, axis));
 }
 
+/// What an observer sees of such a force: it acts, and has acted for as long as the velocities are
+/// behind the poses.
+inline void observe_push(const Model& model, Observation& observation, std::int32_t element,
+                         const Vector& force) {
+  const auto i = static_cast<std::size_t>(element);
+  const double inverse_mass = model.data(columns::inverse_mass)[i];
+  if (!(inverse_mass > 0)) return;
+  ObservedMotion& motion = observation.motion;
+  motion.force[i] += force;
+  Vector& v = motion.velocity[i];
+  const Vector gain = observation.behind * inverse_mass * force;
+  motion.kinetic_energy += 0.5 / inverse_mass * (dot(v + gain, v + gain) - dot(v, v));
+  v += gain;
+}
+
 }  // namespace solidem
 
 #endif

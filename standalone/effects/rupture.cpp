@@ -161,6 +161,10 @@ EffectKind rupture_kind() {
   kind.beside = "beams";
   kind.problem_alone = "there are no beams";
   kind.plan = plan_rupture;
+  kind.example =
+      "[rupture]\n"
+      "strain = 0.004\n"
+      "minimal_bonds = 1\n";
   kind.explain = [](const Setup& setup, const Specimen&, nlohmann::ordered_json& values) {
     const RuptureParameters& rupture = *setup.get<RuptureParameters>();
     const auto number = [](const std::optional<double>& value) {

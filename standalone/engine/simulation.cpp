@@ -59,8 +59,7 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   plan_ = make_plan(setup_, model_.specimen().domain.is_periodic());
   if (plan_.effects.empty())
     throw InputError("the scene names no effect, so there is nothing to simulate; add " +
-                     sections_that_provide(Provides::motion) + " or " +
-                     sections_that_provide(Provides::heat));
+                     sections_that_provide({Provides::motion, Provides::heat}));
   for (const PlannedColumn& planned : plan_.columns) model_.add(*planned.column);
   Assembly assembly(setup_, model_, selections_);
   assembly.material = assign_materials(setup_.materials, model_.specimen());

@@ -28,7 +28,7 @@ Rule sensors_section(std::vector<Sensor>& sensors, NamedEffects effects) {
     const bool is_thermal = sensor.quantity == Quantity::temperature;
     if (is_thermal ? !effects.heat : !effects.motion)
       section.refuse("quantity", is_thermal ? "nothing conducts heat" : "nothing moves",
-                     sections_that_provide(is_thermal ? Provides::heat : Provides::motion));
+                     sections_that_provide({is_thermal ? Provides::heat : Provides::motion}));
     if (!is_thermal && sensor.sampling == Sampling::fit)
       section.refuse("sampling", "of temperatures only", "\"nearest\"");
     sensors.push_back(sensor);

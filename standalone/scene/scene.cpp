@@ -54,7 +54,7 @@ void check_kind(const Section& root, const EffectKind& kind) {
   for (const Conflict& conflict : kind.conflicts)
     if (root.has(conflict.section)) root.refuse(kind.section, conflict.problem, conflict.expected);
   if (kind.needs != Provides::nothing && !names_what_provides(root, kind.needs))
-    root.refuse(kind.section, problem_without(kind.needs), sections_that_provide(kind.needs));
+    root.refuse(kind.section, problem_without(kind.needs), sections_that_provide({kind.needs}));
   if (!kind.beside.empty() && !root.has(kind.beside))
     root.refuse(kind.section, kind.problem_alone, "a section [" + kind.beside + "]");
 }
@@ -69,13 +69,12 @@ void check_effects(const Section& root) {
     for (const std::string& section : without_effect)
       if (root.has(section))
         root.refuse(section, "the scene has no effect",
-                    sections_that_provide(Provides::motion) + " or " +
-                        sections_that_provide(Provides::heat));
+                    sections_that_provide({Provides::motion, Provides::heat}));
   for (const EffectKind& kind : effect_kinds())
     if (root.has(kind.section)) check_kind(root, kind);
   if (root.has("gauge") && !moves)
     root.refuse("gauge", problem_without(Provides::motion),
-                sections_that_provide(Provides::motion));
+                sections_that_provide({Provides::motion}));
   if (root.has("calibration") && !root.has("beams"))
     root.refuse("calibration", "there are no beams", "a section [beams]");
 }

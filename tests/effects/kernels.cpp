@@ -51,11 +51,14 @@ Setup setup_of(const Variant& variant) {
   setup.get<BeamParameters>()->law = variant.law;
   if (variant.law == Law::spring) setup.get<BeamParameters>()->shear_modulus = 0;
   setup.get<BeamParameters>()->radius_from = variant.radius_from;
-  if (variant.flow != BeamFlow::none) setup.get<RuptureParameters>() = RuptureParameters{{}, break_strain, 0};
+  if (variant.flow != BeamFlow::none)
+    setup.get<RuptureParameters>() = RuptureParameters{{}, break_strain, 0};
   if (variant.flow == BeamFlow::radial_return)
-    setup.get<PlasticityParameters>() = PlasticityParameters{PlasticityParameters::Law::radial_return, 0.005, 0.1};
+    setup.get<PlasticityParameters>() =
+        PlasticityParameters{PlasticityParameters::Law::radial_return, 0.005, 0.1};
   if (variant.flow == BeamFlow::scaled_offset)
-    setup.get<PlasticityParameters>() = PlasticityParameters{PlasticityParameters::Law::scaled_offset, 0.005, 0.1};
+    setup.get<PlasticityParameters>() =
+        PlasticityParameters{PlasticityParameters::Law::scaled_offset, 0.005, 0.1};
   return setup;
 }
 

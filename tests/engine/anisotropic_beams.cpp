@@ -29,7 +29,8 @@ Specimen body_with_fibres(const Setup& setup) {
   recipe.size = {1e-3, 1e-3, 1e-3};
   recipe.elements = 150;
   Specimen specimen = make_specimen(recipe);
-  if (setup.get<BeamParameters>()->fibres) add_fibres(specimen, setup.get<BeamParameters>()->fibres->rule);
+  if (setup.get<BeamParameters>()->fibres)
+    add_fibres(specimen, setup.get<BeamParameters>()->fibres->rule);
   return specimen;
 }
 
@@ -73,9 +74,10 @@ TEST(AnisotropicBeams, OfEqualModuliMoveLikePlainOnesToTheLastBit) {
   auto plain = elastic_setup();
   set_in_motion(plain, 200);
   auto oriented = plain;
-  oriented.beams->anisotropy = Anisotropy{};
-  oriented.beams->anisotropy->radial_modulus = oriented.beams->anisotropy->tangential_modulus =
-      plain.beams->young_modulus;
+  oriented.get<BeamParameters>()->anisotropy = Anisotropy{};
+  oriented.get<BeamParameters>()->anisotropy->radial_modulus =
+      oriented.get<BeamParameters>()->anisotropy->tangential_modulus =
+          plain.get<BeamParameters>()->young_modulus;
   const Specimen specimen = body_with_fibres(plain);
   EXPECT_EQ(poses_after(plain, specimen), poses_after(oriented, specimen));
 }
@@ -96,8 +98,8 @@ TEST(AnisotropicBeams, KeepEnergyAndMomentum) {
 
 TEST(AnisotropicBeams, HeatDoesNotPassAlongFibres) {
   auto warm = grained_setup();
-  warm.conduction = ConductionParameters{};
-  warm.conduction->initial_temperature = 298;
+  warm.get<ConductionParameters>() = ConductionParameters{};
+  warm.get<ConductionParameters>()->initial_temperature = 298;
   warm.run.steps = 1;
   const Specimen body = body_with_fibres(warm);
   const Simulation simulation(warm, body);

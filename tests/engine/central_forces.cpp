@@ -85,7 +85,8 @@ Setup everything() {
   pushed.name = "pushed";
   pushed.region = between(7e-4, 9e-4);
   pushed.axis[1] = {AxisControl::Kind::force, TimeFunction::constant(20)};
-  setup.all<GripParameters>() = {hold("left", between(-1, 1e-4)), pull("right", between(13e-4, 1), 300), pushed};
+  setup.all<GripParameters>() = {hold("left", between(-1, 1e-4)),
+                                 pull("right", between(13e-4, 1), 300), pushed};
   return setup;
 }
 
@@ -146,7 +147,7 @@ TEST_P(TornBody, goes_on_by_the_same_bits_from_a_checkpoint) {
     second.advance(400 - moment);
     EXPECT_TRUE(second.save() == whole.save()) << moment;
     EXPECT_EQ(second.observe().values, whole.observe().values) << moment;
-    if (moment < 399) removed = std::max(removed, first.damage()->removed());
+    if (moment < 399) removed = std::max(removed, first.find<Damage>()->removed());
   }
   EXPECT_GT(removed, 0u);
   EXPECT_GT(seen(whole, "lips"), 10);
@@ -181,9 +182,10 @@ TEST(CentralForces, keep_the_initial_distance_when_a_pair_parts_and_meets_again)
     const auto still = TimeFunction::constant(0);
     const std::vector<double> stays = {0, 2, 4.2, 4.15, 0.05, 0, -0.05};
     const double r = hand_radius, known = equilibrium == Equilibrium::initial ? 1.9 * r : 2 * r;
-    setup.all<GripParameters>() = {hold("low", between(-r, r)),
-                   hold("middle", between(r, 3 * r), {visits(stays, stay), still, still}),
-                   hold("high", between(7 * r, 9 * r))};
+    setup.all<GripParameters>() = {
+        hold("low", between(-r, r)),
+        hold("middle", between(r, 3 * r), {visits(stays, stay), still, still}),
+        hold("high", between(7 * r, 9 * r))};
     Simulation simulation(setup, body);
     const auto push = [&](double distance, double rest) {
       return distance < 1.5 * 2 * r ? central_force(law, 0.1, distance, rest).force : 0.0;
@@ -242,7 +244,7 @@ Setup blocks(const TimeFunction& gap, bool cracks) {
   if (cracks) setup.get<DamageParameters>() = DamageParameters{0.3, 1000000, 0, 100};
   const auto still = TimeFunction::constant(0);
   setup.all<GripParameters>() = {hold("left", between(-1, 5e-4)),
-                 hold("right", between(5e-4, 1), {gap, still, still})};
+                                 hold("right", between(5e-4, 1), {gap, still, still})};
   setup.run.time_step = 1e-9;
   return setup;
 }
@@ -396,7 +398,8 @@ TEST(StepLimitOfCentralForces, is_met_by_the_estimate) {
       setup.get<CentralForceParameters>()->interpenetration = 0;
       const Specimen body = crystal("fcc", {3, 3, 3});
       if (drag > 0)
-        setup.get<CentralForceParameters>()->dissipation = drag * root_of_stiffness_and_mass(setup, body);
+        setup.get<CentralForceParameters>()->dissipation =
+            drag * root_of_stiffness_and_mass(setup, body);
       const double estimate = Simulation(setup, body).time_step().limit;
       double low = 0.9 * estimate, high = 1.15 * estimate;
       ASSERT_FALSE(grows(setup, body, low));

@@ -63,8 +63,10 @@ TEST(Conduction, keeps_the_heat_of_an_adiabatic_body) {
 
 TEST(Conduction, heat_through_imposed_temperatures_is_what_the_body_gains) {
   auto setup = thermal_setup();
-  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, true), {{0, 1e-3}, {400, 800}, 20, 300, 0}});
-  setup.all<ImposedTemperatureParameters>().push_back({"cold", face(0, false), TimeFunction::constant(298)});
+  setup.all<ImposedTemperatureParameters>().push_back(
+      {"hot", face(0, true), {{0, 1e-3}, {400, 800}, 20, 300, 0}});
+  setup.all<ImposedTemperatureParameters>().push_back(
+      {"cold", face(0, false), TimeFunction::constant(298)});
   Simulation simulation(setup, jittered("bcc", {6, 3, 3}));
   simulation.advance(500);
   const HistoryRow row = simulation.observe();
@@ -74,8 +76,10 @@ TEST(Conduction, heat_through_imposed_temperatures_is_what_the_body_gains) {
 
 TEST(Conduction, steady_profile_between_two_ends_is_linear_on_a_lattice) {
   auto setup = thermal_setup();
-  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, true, 0.6), TimeFunction::constant(400)});
-  setup.all<ImposedTemperatureParameters>().push_back({"cold", face(0, false, 0.6), TimeFunction::constant(300)});
+  setup.all<ImposedTemperatureParameters>().push_back(
+      {"hot", face(0, true, 0.6), TimeFunction::constant(400)});
+  setup.all<ImposedTemperatureParameters>().push_back(
+      {"cold", face(0, false, 0.6), TimeFunction::constant(300)});
   // Periodic across: every inner element has six neighbours.
   Simulation simulation(setup, crystal("simple_cubic", {11, 3, 3}, {false, true, true}));
   simulation.advance(4000);

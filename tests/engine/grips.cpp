@@ -29,7 +29,7 @@ TEST(Grips, work_is_the_energy_that_the_bar_gains) {
     auto setup = elastic_setup();
     setup.run.time_step_ratio = ratio;
     setup.all<GripParameters>() = {grip("left", face(0, false), {held(), held(), held()}),
-                   grip("right", face(0, true), {moving(2), moving(0.3), held()})};
+                                   grip("right", face(0, true), {moving(2), moving(0.3), held()})};
     Simulation simulation(setup, jittered("bcc", {8, 3, 3}));
     double worst = 0;
     for (int n = 0; n < 40; ++n) {
@@ -51,7 +51,7 @@ TEST(Grips, work_of_a_force_is_the_energy_that_the_bar_gains) {
     setup.run.time_step_ratio = ratio;
     AxisControl swing{AxisControl::Kind::force, {{0.0}, {3.0}, 2.0, 3e5, 0.4}};
     setup.all<GripParameters>() = {grip("left", face(0, false), {held(), held(), held()}),
-                   grip("right", face(0, true), {swing, {}, pulled(0.1)})};
+                                   grip("right", face(0, true), {swing, {}, pulled(0.1)})};
     Simulation simulation(setup, jittered("bcc", {8, 3, 3}));
     double worst = 0;
     for (int n = 0; n < 40; ++n) {
@@ -83,7 +83,7 @@ TEST(Grips, moving_a_whole_bar_strains_nothing) {
   auto setup = elastic_setup();
   setup.all<InitialVelocity>().push_back({{}, {1, 2, 3}});
   setup.all<GripParameters>() = {grip("left", face(0, false), {moving(1), moving(2), moving(3)}),
-                 grip("right", face(0, true), {moving(1), moving(2), moving(3)})};
+                                 grip("right", face(0, true), {moving(1), moving(2), moving(3)})};
   Simulation simulation(setup, jittered("bcc", {6, 3, 3}));
   simulation.advance(500);
   const HistoryRow row = simulation.observe();
@@ -94,7 +94,7 @@ TEST(Grips, moving_a_whole_bar_strains_nothing) {
 TEST(Grips, free_axes_follow_the_bar) {
   auto setup = elastic_setup();
   setup.all<GripParameters>() = {grip("left", face(0, false), {held(), held(), held()}),
-                 grip("right", face(0, true), {moving(5), {}, {}})};
+                                 grip("right", face(0, true), {moving(5), {}, {}})};
   Simulation simulation(setup, crystal("bcc", {6, 3, 3}));
   simulation.advance(300);
   EXPECT_EQ(value_of(simulation.observe(), "grip.right.force_y"), 0);
@@ -113,7 +113,7 @@ TEST(Grips, free_axes_follow_the_bar) {
 TEST(Grips, that_share_elements_are_refused) {
   auto setup = elastic_setup();
   setup.all<GripParameters>() = {grip("left", face(0, false, 3), {held(), held(), held()}),
-                 grip("all", {}, {held(), held(), held()})};
+                                 grip("all", {}, {held(), held(), held()})};
   try {
     Simulation(setup, crystal("bcc", {4, 3, 3}));
     FAIL();

@@ -113,7 +113,8 @@ TEST(TemperatureDependence, of_capacity_stores_the_enthalpy_of_the_table) {
     auto source = ball_source(1, {}, 25);
     source.is_density = false;  // all of the body, however large the ball
     setup.all<HeatSourceParameters>().push_back(source);
-    if (integrator != HeatIntegratorName::explicit_euler) setup.get<ConductionParameters>()->tolerance = 1e-3;
+    if (integrator != HeatIntegratorName::explicit_euler)
+      setup.get<ConductionParameters>()->tolerance = 1e-3;
     const Specimen body = crystal("simple_cubic", {6, 3, 3});
     const double mass = 2790 * body.domain.volume;
     setup.run.steps.reset();
@@ -154,14 +155,16 @@ TEST(HeatBalance, closes_with_every_kind_of_load_by_every_integrator) {
     for (const HeatLaw law : {HeatLaw::platonic, HeatLaw::voronoi}) {
       auto setup = heat_setup(law, integrator);
       setup.all<ImposedTemperatureParameters>() = {held_wall("z_low", 350)};
-      setup.all<ImposedTemperatureParameters>().push_back({"layer", face(0, true), {{0, 1e-3}, {400, 800}, 20, 300, 0}});
+      setup.all<ImposedTemperatureParameters>().push_back(
+          {"layer", face(0, true), {{0, 1e-3}, {400, 800}, 20, 300, 0}});
       setup.all<HeatFluxParameters>().push_back({"lamp", "y_high", {{0, 0.01}, {0, 1e6}}});
       setup.all<ConvectionParameters>().push_back(
           {"air", "x_low", {{0, 0.01}, {100, 1e5}}, TimeFunction::constant(280)});
       auto source = ball_source(3e-4, {0, 5e-4, 5e-4}, 1e10);
       source.position[0] = {{0, 0.02}, {0, 3e-3}};
       setup.all<HeatSourceParameters>().push_back(source);
-      if (integrator != HeatIntegratorName::explicit_euler) setup.get<ConductionParameters>()->tolerance = 0.1;
+      if (integrator != HeatIntegratorName::explicit_euler)
+        setup.get<ConductionParameters>()->tolerance = 0.1;
       setup.run.time_step = 1e-4;
       if (integrator == HeatIntegratorName::explicit_euler) setup.run.time_step = 2e-5;
       Simulation simulation(setup, packed_bar());
@@ -301,7 +304,8 @@ TEST(BadInput, of_heat_loads_is_refused_with_what_would_be_right) {
 
   setup.all<HeatSourceParameters>().clear();
   setup.get<ConductionParameters>()->law = HeatLaw::platonic;
-  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, true, 0.6), TimeFunction::constant(400)});
+  setup.all<ImposedTemperatureParameters>().push_back(
+      {"hot", face(0, true, 0.6), TimeFunction::constant(400)});
   Specimen loose = crystal("simple_cubic", {5, 1, 1});
   loose.position.back().x += 1e-4;
   loose.domain.upper.x += 1e-4;

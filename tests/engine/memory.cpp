@@ -38,7 +38,7 @@ TEST(Memory, of_elastic_beams) {
 
 TEST(Memory, of_two_effects_is_that_of_each_but_for_what_they_share) {
   auto both = elastic_setup();
-  both.conduction = ConductionParameters{};
+  both.get<ConductionParameters>() = ConductionParameters{};
   const Simulation simulation(both, packing());
   const Model& model = simulation.model();
   const auto elements = static_cast<double>(model.elements());

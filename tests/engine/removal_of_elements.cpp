@@ -31,7 +31,8 @@ TEST(RemovalOfElements, spares_those_that_keep_enough) {
   simulation.advance(60);
   EXPECT_GT(simulation.find<Rupture>()->broken().size(), 0u);
   for (std::int32_t e = 0; e < 10; ++e)
-    EXPECT_EQ(simulation.find<Rupture>()->is_removed(e), simulation.model().slots().coordination(e) == 0);
+    EXPECT_EQ(simulation.find<Rupture>()->is_removed(e),
+              simulation.model().slots().coordination(e) == 0);
 }
 
 TEST(RemovalOfElements, goes_on_to_neighbours_that_it_leaves_with_too_few) {

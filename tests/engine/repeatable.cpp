@@ -18,8 +18,9 @@ Setup everything() {
   AxisControl wave{AxisControl::Kind::displacement, {{0.0}, {0.0}, 1e-6, 1e5, 0}};
   AxisControl force{AxisControl::Kind::force, TimeFunction::constant(3)};
   setup.all<GripParameters>() = {{"left", face(0, false), {held, held, held}, true},
-                 {"right", face(0, true), {wave, force, {}}, false}};
-  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, true), TimeFunction::constant(798)});
+                                 {"right", face(0, true), {wave, force, {}}, false}};
+  setup.all<ImposedTemperatureParameters>().push_back(
+      {"hot", face(0, true), TimeFunction::constant(798)});
   return setup;
 }
 

@@ -87,8 +87,9 @@ TEST(Anisotropy, FibresAreBondsOfTheBody) {
   const Specimen body = make_body(scene);
   const std::vector<Pair> contacts = bonds_in_contact(body);
   EXPECT_GT(body.bonds.size(), contacts.size() + 50);
-  EXPECT_EQ(body.bonds.size(),
-            contacts.size() + find_fibres(body, scene.setup.get<BeamParameters>()->fibres->rule).size());
+  EXPECT_EQ(
+      body.bonds.size(),
+      contacts.size() + find_fibres(body, scene.setup.get<BeamParameters>()->fibres->rule).size());
 }
 
 class RefusedAnisotropy : public testing::TestWithParam<BadScene> {};

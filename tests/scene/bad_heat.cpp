@@ -109,7 +109,7 @@ const BadScene bad[] = {
     {"contact_of_one_material",
      heat,
      "[run]",
-     with("[[contacts]]\nbetween = [\"a\", \"b\"]\nconductance = \"1 W/(m^2 K)\""),
+     with("[[thermal_contacts]]\nbetween = [\"a\", \"b\"]\nconductance = \"1 W/(m^2 K)\""),
      "between",
      {"between[0] = \"a\"", "unknown"}},
     {"fit_of_a_position",

@@ -99,17 +99,17 @@ TEST(Scene, SeveralMaterials) {
 
 TEST(Scene, EffectsAreTheOnesNamed) {
   const auto bar = read_text_scene(bar_scene).setup;
-  ASSERT_TRUE(bar.beams.has_value());
-  EXPECT_FALSE(bar.conduction.has_value());
-  EXPECT_EQ(bar.beams->young_modulus, 3.5e12);
-  EXPECT_DOUBLE_EQ(bar.beams->shear_modulus, 3.5e12 / 2.6);
-  EXPECT_EQ(bar.beams->radius_ratio, 0.27);
-  EXPECT_EQ(bar.beams->radius_from, BeamParameters::RadiusFrom::mean);
+  ASSERT_TRUE(bar.get<BeamParameters>().has_value());
+  EXPECT_FALSE(bar.get<ConductionParameters>().has_value());
+  EXPECT_EQ(bar.get<BeamParameters>()->young_modulus, 3.5e12);
+  EXPECT_DOUBLE_EQ(bar.get<BeamParameters>()->shear_modulus, 3.5e12 / 2.6);
+  EXPECT_EQ(bar.get<BeamParameters>()->radius_ratio, 0.27);
+  EXPECT_EQ(bar.get<BeamParameters>()->radius_from, BeamParameters::RadiusFrom::mean);
 
   const auto heat = read_text_scene(heat_scene).setup;
-  EXPECT_FALSE(heat.beams.has_value());
-  ASSERT_TRUE(heat.conduction.has_value());
-  EXPECT_DOUBLE_EQ(heat.conduction->initial_temperature, 298.15);
+  EXPECT_FALSE(heat.get<BeamParameters>().has_value());
+  ASSERT_TRUE(heat.get<ConductionParameters>().has_value());
+  EXPECT_DOUBLE_EQ(heat.get<ConductionParameters>()->initial_temperature, 298.15);
 }
 
 TEST(Scene, ShearModulusInsteadOfPoissonRatio) {
@@ -162,8 +162,8 @@ TEST(Scene, TemperaturesAsFunctionsOfTime) {
 
 TEST(Scene, ObservationRunAndOutput) {
   const auto bar = read_text_scene(bar_scene).setup;
-  EXPECT_EQ(bar.initial_velocities.at(0).velocity.z, -3.3e-3);
-  EXPECT_EQ(bar.initial_velocities.at(0).region.lower.x, 1e-3);
+  EXPECT_EQ(bar.all<InitialVelocity>().at(0).velocity.z, -3.3e-3);
+  EXPECT_EQ(bar.all<InitialVelocity>().at(0).region.lower.x, 1e-3);
   EXPECT_EQ(bar.sensors.at(0).quantity, Sensor::Quantity::displacement);
   EXPECT_EQ(bar.sensors.at(0).point.y, -2e-3);
   EXPECT_EQ(bar.gauge->axis, 0);

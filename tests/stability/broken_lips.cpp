@@ -92,7 +92,8 @@ TEST(BrokenLips, of_an_overlapping_body_are_not_ejected) {
   setup.get<RuptureParameters>() = RuptureParameters{};
   setup.get<RuptureParameters>()->elastic_strain = 0.004;
   setup.get<ContactParameters>() = ContactParameters{};
-  setup.all<GripParameters>() = {hold("left", face(0, false, 1.5)), pull("right", face(0, true, 1.5), 5)};
+  setup.all<GripParameters>() = {hold("left", face(0, false, 1.5)),
+                                 pull("right", face(0, true, 1.5), 5)};
   Simulation simulation(setup, body);
   double contact = 0;
   while (simulation.time() < 1.2e-5) {

@@ -90,9 +90,9 @@ std::pair<double, double> led_round(BeamLaw law, double time_step, const Specime
     region.set = "element" + std::to_string(e);
     return region;
   };
-  setup.all<GripParameters>() = {hold("first", of(0)),
-                 hold("second", of(1), {wave(a, 0.3), wave(0.8 * a, 1.4), wave(a, 2.6)}),
-                 hold("third", of(2), {wave(1.2 * a, 2.0), still, wave(0.7 * a, 0.9)})};
+  setup.all<GripParameters>() = {
+      hold("first", of(0)), hold("second", of(1), {wave(a, 0.3), wave(0.8 * a, 1.4), wave(a, 2.6)}),
+      hold("third", of(2), {wave(1.2 * a, 2.0), still, wave(0.7 * a, 0.9)})};
   Simulation simulation(setup, body);
   // From one passage of a point of the path to the next.
   simulation.advance(steps / 4);

@@ -66,7 +66,7 @@ TEST(DeepOverlapOfLennardJones, is_told) {
   EXPECT_NEAR(seen(simulation, "largest_interpenetration"), 0.4, 1e-12);
   Simulation shallow(setup, row_of(2, 2 * 0.75));
   shallow.advance(1);
-  EXPECT_FALSE(shallow.central_forces()->has_exceeded());
+  EXPECT_FALSE(shallow.find<CentralForces>()->has_exceeded());
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(FragmentsMeetAgain, however_far_apart_they_hold_together_and_take_no_more_m
   shake(together, 50);
   parted.advance(200);
   together.advance(200);
-  EXPECT_GT(parted.central_forces()->searches(), 1u);
+  EXPECT_GT(parted.find<CentralForces>()->searches(), 1u);
   EXPECT_LT(static_cast<double>(parted.model().bytes()),
             1.1 * static_cast<double>(together.model().bytes()));
   // The places of the far piece are known to 1e-13 m only.

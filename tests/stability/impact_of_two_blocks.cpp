@@ -22,7 +22,7 @@ Setup impact(const CentralLaw& law) {
   auto setup = central_setup(law, 1.3);
   setup.get<CentralForceParameters>()->interpenetration = 0.3;
   setup.all<InitialVelocity>() = {{between(-1, 10 * hand_radius), {speed, 0, 0}},
-                              {between(10 * hand_radius, 1), {-speed, 0, 0}}};
+                                  {between(10 * hand_radius, 1), {-speed, 0, 0}}};
   return setup;
 }
 

@@ -26,7 +26,8 @@ TEST_P(LonelyElements, follow_their_neighbour_or_stay) {
   auto setup = heat_setup(law, integrator);
   setup.get<ConductionParameters>()->area_factor =
       law == HeatLaw::platonic_calibrated ? std::optional<double>(0.8) : std::nullopt;
-  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, false, 0.6), TimeFunction::constant(798)});
+  setup.all<ImposedTemperatureParameters>().push_back(
+      {"hot", face(0, false, 0.6), TimeFunction::constant(798)});
   const bool is_explicit = integrator == HeatIntegratorName::explicit_euler;
   if (!is_explicit) setup.get<ConductionParameters>()->tolerance = 1e-3;
   setup.run.steps.reset();

@@ -14,7 +14,8 @@ namespace {
 /// Sets every element in a motion too small for any limit, which has a part of every mode; in
 /// single precision far above its round-off.
 void disturb(Simulation& simulation) {
-  const bool mixed = simulation.setup().get<BeamParameters>()->precision == BeamParameters::Precision::mixed;
+  const bool mixed =
+      simulation.setup().get<BeamParameters>()->precision == BeamParameters::Precision::mixed;
   const double speed = mixed ? 0.1 : 1e-9;  // m/s
   Model& model = simulation.model();
   double* velocity = model.data(columns::velocity);

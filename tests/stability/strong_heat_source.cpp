@@ -15,7 +15,8 @@ TEST_P(StrongSource, heats_by_its_power) {
   auto setup = heat_setup(HeatLaw::voronoi, GetParam());
   const Vector centre{1e-3, 1e-3, 1e-3};
   setup.all<HeatSourceParameters>().push_back(ball_source(4e-4, centre, 1e11));
-  if (GetParam() != HeatIntegratorName::explicit_euler) setup.get<ConductionParameters>()->tolerance = 0.1;
+  if (GetParam() != HeatIntegratorName::explicit_euler)
+    setup.get<ConductionParameters>()->tolerance = 0.1;
   setup.run.steps.reset();
   setup.run.duration = 0.02;
   if (GetParam() == HeatIntegratorName::explicit_euler) setup.run.time_step_ratio = 0.95;

@@ -139,7 +139,8 @@ TEST(ThousandPlasticCycles, of_a_body_flow_on_and_keep_their_books) {
   const double length = body.domain.upper.x - body.domain.lower.x;
   const TimeFunction wave{{0.0}, {0.0}, 0.01 * length, 1 / (steps * step), 0};
   const TimeFunction still = TimeFunction::constant(0);
-  setup.all<GripParameters>() = {hold("left", face(0, false)), hold("right", face(0, true), {wave, still, still})};
+  setup.all<GripParameters>() = {hold("left", face(0, false)),
+                                 hold("right", face(0, true), {wave, still, still})};
   Simulation simulation(setup, body);
   double work = 0, balance = 0;
   std::vector<double> of_cycle;

@@ -35,7 +35,8 @@ class TornBar : public testing::TestWithParam<Case> {};
 TEST_P(TornBar, ends_in_two_pieces_with_its_energy_accounted_for) {
   const Case& c = GetParam();
   auto setup = breaking_setup(c);
-  setup.all<GripParameters>() = {hold("left", face(0, false, 1.5)), pull("right", face(0, true, 1.5), c.speed)};
+  setup.all<GripParameters>() = {hold("left", face(0, false, 1.5)),
+                                 pull("right", face(0, true, 1.5), c.speed)};
   const Specimen body = random_bar(250);
   Simulation simulation(setup, body);
   const double time = (c.flows ? 0.06 : 0.03) * 3e-3 / c.speed;

@@ -62,3 +62,11 @@ def test_links_in_the_documents_lead_somewhere() -> None:
             for target in re.findall(r"\]\(([^)#\s]+)[^)]*\)", (ROOT / name).read_text())
             if not target.startswith("http") and not ((ROOT / name).parent / target).exists()]
     assert not dead
+
+
+def test_no_two_rooms_include_each_other_by_any_way() -> None:
+    includes = {folder.name: set().union(*(rooms_of(path) for path in sources(folder))) - {folder.name}
+                for folder in STANDALONE.iterdir() if folder.is_dir() and sources(folder)}
+    while free := {room for room, others in includes.items() if not others & set(includes)}:
+        includes = {room: others for room, others in includes.items() if room not in free}
+    assert not includes, f"a circle among {sorted(includes)}"
