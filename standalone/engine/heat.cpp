@@ -88,6 +88,10 @@ Heat::Heat(const Setup& setup, ConductionGeometry geometry,
   auto conduction = std::make_unique<Conduction>(
       parameters_, ThermalProperties{setup.materials, material}, geometry, model);
   conduction_ = conduction.get();
+  if (setup.rupture)
+    conduction_->watch_bonds(
+        parameters_.broken_bonds.value_or(ConductionParameters::BrokenBonds::insulate), geometry,
+        model);
   effects_.push_back(std::move(conduction));
   const auto add_load = [&](std::unique_ptr<HeatLoad> load) {
     loads_.push_back(load.get());
@@ -127,8 +131,7 @@ Heat::Heat(const Setup& setup, ConductionGeometry geometry,
     imposed_.push_back(effect.get());
     effects_.push_back(std::move(effect));
   }
-  std::vector<ElementValue> exchange;
-  for (const HeatLoad* load : loads_) load->largest_conductances(exchange);
+  const std::vector<ElementValue> exchange = largest_exchange();
   criterion_ = conduction_->time_step_criterion(model, exchange);
   limit_ = conduction_->stable_time_step(model, exchange);
 }
@@ -152,7 +155,28 @@ void Heat::start(double duration) {
   integrator_ = make_heat_integrator(choice, {parameters_.tolerance.value_or(0)});
 }
 
+std::vector<ElementValue> Heat::largest_exchange() const {
+  std::vector<ElementValue> exchange;
+  for (const HeatLoad* load : loads_) load->largest_conductances(exchange);
+  return exchange;
+}
+
+void Heat::adopt_conductors(const Step& step) {
+  if (integrator_ != nullptr) integrator_->restart();
+  const bool must_look = takes_explicit_steps() && step.time_step <= limit_ &&
+                         step.time_step > conduction_->surely_stable_step(limit_);
+  if (!must_look) return;
+  const double limit = conduction_->stable_time_step(model_, largest_exchange());
+  if (step.time_step > limit)
+    throw RunError("bonds made anew conduct so much heat that the explicit time step, " +
+                   text(step.time_step) + " s, is beyond the stable limit, now " + text(limit) +
+                   " s (" + text(limit_) + " s at the start), at time " + text(step.time) +
+                   " s; take a smaller time_step in [run], or integrator = \"rkl2\" in "
+                   "[conduction]");
+}
+
 void Heat::advance(const Step& step) {
+  if (conduction_->follow_bonds(model_)) adopt_conductors(step);
   if (integrator_ == nullptr) {
     for (const auto& effect : effects_) effect->advance(model_, step);
     model_.swap(columns::temperature);

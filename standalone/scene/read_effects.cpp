@@ -33,6 +33,7 @@ Material read_material(const Section& section, const NamedRegions& named, NamedE
 
 using Law = ConductionParameters::Law;
 using Integrator = ConductionParameters::Integrator;
+using BrokenBonds = ConductionParameters::BrokenBonds;
 
 void check_conduction(const Section& section, const ConductionParameters& conduction) {
   if (conduction.area_factor && conduction.law != Law::platonic_calibrated)
@@ -81,7 +82,11 @@ Rule conduction_section(std::optional<ConductionParameters>& conduction) {
                                                     {"implicit", Integrator::implicit},
                                                     {"auto", Integrator::automatic}})),
          may_have("tolerance",
-                  quantity(parameters.tolerance, dimension::temperature_difference, positive))});
+                  quantity(parameters.tolerance, dimension::temperature_difference, positive)),
+         may_have("broken_bonds",
+                  choice<std::optional<BrokenBonds>>(
+                      parameters.broken_bonds,
+                      {{"insulate", BrokenBonds::insulate}, {"conduct", BrokenBonds::conduct}}))});
     check_conduction(section, parameters);
     conduction = parameters;
   });

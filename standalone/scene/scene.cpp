@@ -124,6 +124,9 @@ Scene read_scene(const std::string& path) {
       may_have("output", output_section(setup.output)),
   });
   check_effects(root, effects);
+  if (setup.conduction && setup.conduction->broken_bonds && !setup.rupture)
+    root.refuse("conduction", "broken_bonds: no bond ever breaks",
+                "a section [rupture] beside it, or no broken_bonds");
   if (setup.beams && setup.beams->precision == BeamParameters::Precision::mixed)
     for (const char* section : {"plasticity", "rupture"})
       if (root.has(section))
