@@ -240,6 +240,9 @@ def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, 
     law = parameters.conduction
     if law is None:
         raise PreparedError(f"{specimen.path}: the scene has no [conduction]")
+    if parameters.rupture:
+        raise PreparedError(f"{specimen.path}: the scene has [rupture] and [conduction]; in LIGGGHTS "
+                            "bonds that break cannot conduct heat as well, whatever broken_bonds")
     law.require_one_material(specimen)
     _require_one_capacity(specimen, _density(explained) * law.specific_heat_capacity)
     words = f"law {law.law}"

@@ -2,8 +2,11 @@
 #include "effects/conduction.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <stdexcept>
 
 #include "effects/kernels/kernels.hpp"
 #include "effects/pseudo_random.hpp"
@@ -53,7 +56,8 @@ Conduction::Conduction(const ConductionParameters& parameters, ThermalProperties
     : initial_temperature_(parameters.initial_temperature),
       properties_(std::move(properties)),
       conductivity_varies_(solidem::conductivity_varies(properties_.materials)),
-      capacity_varies_(solidem::capacity_varies(properties_.materials)) {
+      capacity_varies_(solidem::capacity_varies(properties_.materials)),
+      contacts_(parameters.contacts) {
   double* temperature = model.data(columns::temperature);
   double* inverse_capacity = model.data(columns::inverse_heat_capacity);
   for (std::size_t i = 0; i < model.elements(); ++i) {
@@ -66,27 +70,110 @@ Conduction::Conduction(const ConductionParameters& parameters, ThermalProperties
     std::fill_n(model.data(columns::conductivity), model.conductors().padded_elements(), 1.0);
 
   model.conductors().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    const auto [area, distance] = geometry.path(model.specimen(), {std::min(i, j), std::max(i, j)});
-    const Material& a = properties_.of(static_cast<std::size_t>(std::min(i, j)));
-    const Material& b = properties_.of(static_cast<std::size_t>(std::max(i, j)));
-    const double contact = contact_conductance(parameters.contacts, a, b);
-    if (conductivity_varies_) {
-      model.data(
-          columns::conduction_length)[Model::at_slot(columns::conduction_length, row, lane)] =
-          area / distance;
-      if (model.has(columns::contact_resistance))
-        model.data(
-            columns::contact_resistance)[Model::at_slot(columns::contact_resistance, row, lane)] =
-            1 / (contact * area);
-      return;
-    }
-    const double at_a = a.conductivity(0), at_b = b.conductivity(0);
-    const double lambda = at_a == at_b ? at_a : series_conductivity(at_a, at_b);
-    const double path = path_conductance(lambda, area, distance);
-    model.data(columns::conductance)[Model::at_slot(columns::conductance, row, lane)] =
-        contact < std::numeric_limits<double>::infinity() ? series_conductance(path, contact * area)
-                                                          : path;
+    const Pair pair{std::min(i, j), std::max(i, j)};
+    set_path(model, pair, {row, lane}, geometry.path(model.specimen(), pair));
   });
+  assert(is_symmetric(model));
+}
+
+void Conduction::set_path(Model& model, Pair pair, Slots::Place place, const HeatPath& path) const {
+  const auto [area, distance] = path;
+  const Material& a = properties_.of(static_cast<std::size_t>(pair.i));
+  const Material& b = properties_.of(static_cast<std::size_t>(pair.j));
+  const double contact = contact_conductance(contacts_, a, b);
+  const std::size_t at = place.index();
+  if (conductivity_varies_) {
+    model.data(columns::conduction_length)[at] = area / distance;
+    if (model.has(columns::contact_resistance))
+      model.data(columns::contact_resistance)[at] = area > 0 ? 1 / (contact * area) : 0;
+    return;
+  }
+  const double at_a = a.conductivity(0), at_b = b.conductivity(0);
+  const double lambda = at_a == at_b ? at_a : series_conductivity(at_a, at_b);
+  const double conductance = path_conductance(lambda, area, distance);
+  model.data(columns::conductance)[at] = contact < std::numeric_limits<double>::infinity()
+                                             ? series_conductance(conductance, contact * area)
+                                             : conductance;
+}
+
+bool Conduction::is_symmetric(const Model& model) const {
+  const Slots& slots = model.conductors();
+  bool symmetric = slots.is_symmetric();
+  for (const Column* column :
+       {&columns::conductance, &columns::conduction_length, &columns::contact_resistance}) {
+    if (!model.has(*column)) continue;
+    const double* value = model.data(*column);
+    slots.for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+      symmetric =
+          symmetric && value[Slots::Place{row, lane}.index()] == value[slots.find(j, i)->index()];
+    });
+  }
+  return symmetric;
+}
+
+void Conduction::watch_bonds(ConductionParameters::BrokenBonds broken_bonds,
+                             ConductionGeometry geometry, Model& model) {
+  if (model.shares_conductors())
+    throw std::logic_error("conductors that are the bonds cannot outlast them");
+  changing_ = std::make_unique<ChangingConductors>(broken_bonds, std::move(geometry), model);
+  changing_model_ = &model;
+}
+
+bool Conduction::follow_bonds(Model& model) {
+  if (changing_ == nullptr) return false;
+  const ChangingConductors::Change change = changing_->follow(model);
+  if (change.is_nothing()) return false;
+  if (change.new_pairs) {
+    lay_out(model);
+  } else {
+    for (const Pair& pair : change.switched) {
+      const HeatPath path = changing_->path(model.specimen(), pair);
+      set_path(model, pair, *model.conductors().find(pair.i, pair.j), path);
+      set_path(model, pair, *model.conductors().find(pair.j, pair.i), path);
+    }
+    model.touch_conductors();
+  }
+  added_rate_ = added_rate(model);
+  assert(is_symmetric(model));
+  return true;
+}
+
+void Conduction::lay_out(Model& model) {
+  model.replace_conductors(changing_->pairs());
+  model.conductors().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+    const Pair pair{std::min(i, j), std::max(i, j)};
+    set_path(model, pair, {row, lane}, changing_->path(model.specimen(), pair));
+  });
+}
+
+double Conduction::added_rate(const Model& model) const {
+  double rate = 0;
+  std::map<std::int32_t, double> sum;
+  for (const auto& [pair, length] : changing_->made_anew()) {
+    const auto [area, distance] = changing_->path(model.specimen(), pair);
+    const double conductance = path_conductance(
+        series_conductivity(largest_conductivity(static_cast<std::size_t>(pair.i)),
+                            largest_conductivity(static_cast<std::size_t>(pair.j))),
+        area, distance);
+    for (const std::int32_t element : {pair.i, pair.j}) {
+      const double all = sum[element] += conductance;
+      rate = std::max(rate, all * worst_inverse_capacity(model, static_cast<std::size_t>(element)));
+    }
+  }
+  return rate;
+}
+
+double Conduction::surely_stable_step(double at_start) const {
+  return added_rate_ > 0 ? 1 / (1 / at_start + added_rate_) : at_start;
+}
+
+void Conduction::state(Archive& archive) {
+  if (changing_ == nullptr) return;
+  changing_->state(archive, *changing_model_);
+  if (!archive.is_reading()) return;
+  lay_out(*changing_model_);
+  added_rate_ = added_rate(*changing_model_);
+  assert(is_symmetric(*changing_model_));
 }
 
 double Conduction::enthalpy(const Model& model, std::size_t i, double temperature) const {

@@ -3,8 +3,10 @@
 #define SOLIDEM_EFFECTS_CONDUCTION_HPP
 
 #include <functional>
+#include <memory>
 #include <vector>
 
+#include "effects/changing_conductors.hpp"
 #include "effects/conduction_geometry.hpp"
 #include "effects/heat_load.hpp"
 #include "model/material.hpp"
@@ -37,6 +39,19 @@ class Conduction : public Effect {
   Conduction(const ConductionParameters& parameters, ThermalProperties properties,
              const ConductionGeometry& geometry, Model& model);
 
+  /// From now on conduction follows bonds that break or are made; the model's conductors must have
+  /// a table of their own. `geometry`: what the conductors were made of.
+  void watch_bonds(ConductionParameters::BrokenBonds broken_bonds, ConductionGeometry geometry,
+                   Model& model);
+
+  /// Brings the conductors up to date with the bonds; whether any changed.
+  bool follow_bonds(Model& model);
+
+  /// The longest explicit step that is surely stable with the conductors of now, s, from the
+  /// longest with those of the start. Pairs added to a body raise its largest decay rate by no more
+  /// than their own, which is at most 2 max Σ_j conductance_ij / C_i over the pairs added.
+  double surely_stable_step(double at_start) const;
+
   /// min over elements of C_i / Σ_j conductance_ij: no temperature overshoots its neighbours'.
   /// Holds at the worst temperature of the materials' tables. `exchange`: further conductances of
   /// elements.
@@ -50,6 +65,8 @@ class Conduction : public Effect {
   /// An explicit Euler step; where no property depends on temperature.
   void advance(Model& model, const Step& step) override;
   void observe(const Model& model, Observation& observation) const override;
+  /// What became of the pairs of the start; nothing where bonds never change.
+  void state(Archive& archive) override;
 
   /// Power conducted into each element, W. Both arrays have room for `padded_elements` and are
   /// aligned as columns are.
@@ -81,6 +98,13 @@ class Conduction : public Effect {
   bool is_linear() const { return !conductivity_varies_ && !capacity_varies_; }
 
  private:
+  /// Fills a slot of the conductors.
+  void set_path(Model& model, Pair pair, Slots::Place place, const HeatPath& path) const;
+  /// Lays the conductors out anew for the pairs of now.
+  void lay_out(Model& model);
+  /// Largest decay rate that pairs added since the start can have between them, 1/s, halved.
+  double added_rate(const Model& model) const;
+  bool is_symmetric(const Model& model) const;
   /// Powers at the conductivities that stand in the column, where they vary.
   void conduct(Model& model, const double* temperature, double* power) const;
   /// Fills that column with the largest that there are.
@@ -91,6 +115,10 @@ class Conduction : public Effect {
   double initial_temperature_;
   ThermalProperties properties_;
   bool conductivity_varies_, capacity_varies_;
+  std::vector<Contact> contacts_;
+  std::unique_ptr<ChangingConductors> changing_;  ///< none where bonds never change
+  Model* changing_model_ = nullptr;               ///< whose bonds are watched
+  double added_rate_ = 0;                         ///< see added_rate()
 };
 
 }  // namespace solidem

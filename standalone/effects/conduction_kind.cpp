@@ -14,27 +14,35 @@ namespace {
 
 using Law = ConductionParameters::Law;
 using Integrator = ConductionParameters::Integrator;
+using BrokenBonds = ConductionParameters::BrokenBonds;
 
 std::vector<Key> conduction_keys(ConductionParameters& p, Reading& /*reading*/) {
-  return {may_have("law", choice<Law>(p.law, {{"platonic", Law::platonic},
-                                              {"platonic-calibrated", Law::platonic_calibrated},
-                                              {"voronoi", Law::voronoi}})),
-          must_have("initial_temperature",
-                    quantity(p.initial_temperature, dimension::temperature, not_negative)),
-          may_have("area_factor", number(p.area_factor, positive))
-              .means("of `platonic-calibrated`: scales the areas")
-              .without("found by a steady bar test"),
-          may_have("integrator",
-                   choice<Integrator>(p.integrator, {{"explicit", Integrator::explicit_euler},
-                                                     {"rkl2", Integrator::rkl2},
-                                                     {"implicit", Integrator::implicit},
-                                                     {"auto", Integrator::automatic}})),
-          may_have("tolerance", quantity(p.tolerance, dimension::temperature_difference, positive))
-              .means("error allowed in a step; not with `explicit`, needed by `auto`")
-              .without("none: the steps of `[run]`")};
+  return {
+      may_have("law", choice<Law>(p.law, {{"platonic", Law::platonic},
+                                          {"platonic-calibrated", Law::platonic_calibrated},
+                                          {"voronoi", Law::voronoi}})),
+      must_have("initial_temperature",
+                quantity(p.initial_temperature, dimension::temperature, not_negative)),
+      may_have("area_factor", number(p.area_factor, positive))
+          .means("of `platonic-calibrated`: scales the areas")
+          .without("found by a steady bar test"),
+      may_have("integrator",
+               choice<Integrator>(p.integrator, {{"explicit", Integrator::explicit_euler},
+                                                 {"rkl2", Integrator::rkl2},
+                                                 {"implicit", Integrator::implicit},
+                                                 {"auto", Integrator::automatic}})),
+      may_have("tolerance", quantity(p.tolerance, dimension::temperature_difference, positive))
+          .means("error allowed in a step; not with `explicit`, needed by `auto`")
+          .without("none: the steps of `[run]`"),
+      may_have("broken_bonds", choice<std::optional<BrokenBonds>>(
+                                   p.broken_bonds, {{"insulate", BrokenBonds::insulate},
+                                                    {"conduct", BrokenBonds::conduct}}))
+          .means("a pair whose bond broke conducts no heat any more, or goes on as before; with "
+                 "`[rupture]`")
+          .without("`\"insulate\"`")};
 }
 
-void finish_conduction(const Section& section, ConductionParameters& p, Reading& /*reading*/) {
+void finish_conduction(const Section& section, ConductionParameters& p, Reading& reading) {
   if (p.area_factor && p.law != Law::platonic_calibrated)
     section.refuse("area_factor", "the law has no such factor",
                    "law = \"platonic-calibrated\" beside it");
@@ -44,6 +52,9 @@ void finish_conduction(const Section& section, ConductionParameters& p, Reading&
   if (!p.tolerance && p.integrator == Integrator::automatic)
     section.refuse("integrator", "nothing says how accurate",
                    "tolerance beside it, such as \"0.1 K\"");
+  if (p.broken_bonds && !reading.setup.get<RuptureParameters>())
+    section.refuse("broken_bonds", "no bond ever breaks",
+                   "a section [rupture] beside it, or no broken_bonds");
 }
 
 /// The hot loop of conduction: a whole explicit step where it can be, else the power alone.
@@ -57,15 +68,23 @@ std::string heat_kernel(const Setup& setup, const ConductionParameters& conducti
   return kernel;
 }
 
+std::unique_ptr<Effect> make_conduction(const ConductionParameters& parameters,
+                                        Assembly& assembly) {
+  auto conduction = std::make_unique<Conduction>(
+      parameters, ThermalProperties{assembly.setup.materials, assembly.material}, assembly.geometry,
+      assembly.model);
+  if (assembly.setup.get<RuptureParameters>())
+    conduction->watch_bonds(parameters.broken_bonds.value_or(BrokenBonds::insulate),
+                            assembly.geometry, assembly.model);
+  return conduction;
+}
+
 void plan_conduction(const Setup& setup, Plan& plan) {
   const auto& conduction = setup.get<ConductionParameters>();
   if (!conduction) return;
   plan.effects.push_back({"conduction", "[conduction]", heat_kernel(setup, *conduction),
                           Phase::heat, [conduction = *conduction](Assembly& assembly) {
-                            return std::make_unique<Conduction>(
-                                conduction,
-                                ThermalProperties{assembly.setup.materials, assembly.material},
-                                assembly.geometry, assembly.model);
+                            return make_conduction(conduction, assembly);
                           }});
   plan.ask("conduction", Conduction::columns(*conduction, setup.materials));
 }

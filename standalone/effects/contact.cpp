@@ -149,13 +149,11 @@ void ElementContacts::advance(Model& model, const Step& step) {
 
 void ElementContacts::bond_anew(const Candidate& candidate) {
   const auto [i, j] = candidate.pair;
-  Slots& slots = model_.slots();
-  const auto here = slots.find(i, i), there = slots.find(j, j);
-  if (!here || !there) return;  // all places are taken: they go on pushing
   const Vector to = chord(candidate);
+  // Where all places are taken they go on pushing.
+  if (!model_.make_bond(candidate.pair, norm(to))) return;
   rupture_.add_fracture_energy(contact_energy(candidate.stiffness, candidate.distance, to));
-  slots.set_neighbour(*here, j);
-  slots.set_neighbour(*there, i);
+  const auto here = model_.slots().find(i, j), there = model_.slots().find(j, i);
   beams_.bind(model_, i, j, here->row, here->lane, to);
   beams_.bind(model_, j, i, there->row, there->lane, -to);
   ++bonded_anew_;

@@ -133,12 +133,17 @@ struct ConductionParameters {
     voronoi               ///< faces and volumes of radical Voronoi cells
   };
   enum class Integrator { explicit_euler, rkl2, implicit, automatic };
+  enum class BrokenBonds {
+    insulate,  ///< a pair whose bond broke conducts no heat any more
+    conduct    ///< it goes on as before
+  };
   Law law = Law::platonic;
   double initial_temperature = 0;     ///< K
   std::optional<double> area_factor;  ///< of platonic_calibrated; none: found by a steady bar test
   Integrator integrator = Integrator::explicit_euler;
   std::optional<double> tolerance;  ///< error allowed in time integration, K; none: fixed steps
   std::vector<Contact> contacts;
+  std::optional<BrokenBonds> broken_bonds;  ///< with rupture only; none: insulate
 };
 
 /// As a scene spells them.

@@ -41,7 +41,7 @@ void Rupture::advance(Model& /*model*/, const Step& step) {
 }
 
 void Rupture::break_bond(Pair pair) {
-  Slots& slots = model_.slots();
+  const Slots& slots = model_.slots();
   const Slots::Place here = *slots.find(pair.i, pair.j), there = *slots.find(pair.j, pair.i);
   const Beams::Bond bond = beams_.bond(model_, pair.i, pair.j, here.row, here.lane);
   fracture_energy_ += bond.energy();
@@ -52,8 +52,7 @@ void Rupture::break_bond(Pair pair) {
   broken_.push_back({pair,
                      contact_distance(bond.rest_length(), bond.response.history.extension, radii),
                      rigidity.axial / bond.rest_length(), bond.section()});
-  slots.set_neighbour(here, pair.i);
-  slots.set_neighbour(there, pair.j);
+  model_.break_bond(pair, bond.rest_length());
   Beams::release(model_, here.row, here.lane);
   Beams::release(model_, there.row, there.lane);
 }
@@ -61,7 +60,7 @@ void Rupture::break_bond(Pair pair) {
 void Rupture::remove(std::int32_t element) {
   const auto i = static_cast<std::size_t>(element);
   removed_.insert(std::upper_bound(removed_.begin(), removed_.end(), element), element);
-  Slots& slots = model_.slots();
+  const Slots& slots = model_.slots();
   const std::size_t block = i / lanes;
   for (std::size_t row = slots.first_row()[block]; row < slots.first_row()[block + 1]; ++row) {
     const std::int32_t neighbour = slots.neighbour_of({row, element % lanes});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/heat.hpp"
 
+#include "effects/selections.hpp"
 #include "engine/heated_model.hpp"
 #include "model/error.hpp"
 #include "solve/heat_integrator.hpp"
@@ -23,13 +24,12 @@ Heat::Heat(const ConductionParameters& parameters, double area_factor, std::vect
       model_(model),
       area_factor_(area_factor),
       effects_(std::move(effects)) {
-  std::vector<ElementValue> exchange;
   for (Effect* effect : effects_) {
     if (auto* conduction = dynamic_cast<Conduction*>(effect)) conduction_ = conduction;
     if (auto* load = dynamic_cast<HeatLoad*>(effect)) loads_.push_back(load);
     if (auto* imposed = dynamic_cast<ImposedTemperature*>(effect)) imposed_.push_back(imposed);
   }
-  for (const HeatLoad* load : loads_) load->largest_conductances(exchange);
+  const std::vector<ElementValue> exchange = largest_exchange();
   criterion_ = conduction_->time_step_criterion(model, exchange);
   limit_ = conduction_->stable_time_step(model, exchange);
 }
@@ -50,7 +50,28 @@ void Heat::start() {
   integrator_ = make_heat_integrator(choice, {parameters_.tolerance.value_or(0)});
 }
 
+std::vector<ElementValue> Heat::largest_exchange() const {
+  std::vector<ElementValue> exchange;
+  for (const HeatLoad* load : loads_) load->largest_conductances(exchange);
+  return exchange;
+}
+
+void Heat::adopt_conductors(const Step& step) {
+  if (integrator_ != nullptr) integrator_->restart();
+  const bool must_look = takes_explicit_steps() && step.time_step <= limit_ &&
+                         step.time_step > conduction_->surely_stable_step(limit_);
+  if (!must_look) return;
+  const double limit = conduction_->stable_time_step(model_, largest_exchange());
+  if (step.time_step > limit)
+    throw RunError("bonds made anew conduct so much heat that the explicit time step, " +
+                   text(step.time_step) + " s, is beyond the stable limit, now " + text(limit) +
+                   " s (" + text(limit_) + " s at the start), at time " + text(step.time) +
+                   " s; take a smaller time_step in [run], or integrator = \"rkl2\" in "
+                   "[conduction]");
+}
+
 void Heat::advance(const Step& step) {
+  if (conduction_->follow_bonds(model_)) adopt_conductors(step);
   if (integrator_ == nullptr) {
     for (Effect* effect : effects_) effect->advance(model_, step);
     model_.swap(columns::temperature);

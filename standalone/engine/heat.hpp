@@ -49,6 +49,12 @@ class Heat {
   HeatIntegrator* integrator() const { return integrator_.get(); }
 
  private:
+  /// Makes known that bonds changed what conducts. Throws RunError where that makes the explicit
+  /// time step too long, unless it was so from the start.
+  void adopt_conductors(const Step& step);
+  /// Largest conductances to the outside, of elements.
+  std::vector<ElementValue> largest_exchange() const;
+
   ConductionParameters parameters_;
   Model& model_;
   double area_factor_;

@@ -15,7 +15,7 @@ namespace solidem {
 /// elements).
 class HeatedModel : public HeatEquation {
  public:
-  /// `stable_step`: the longest stable explicit step, s.
+  /// `stable_step`: the longest stable explicit step with the conductors of the start, s.
   HeatedModel(Model& model, const Conduction& conduction, std::vector<HeatLoad*> loads,
               std::vector<ImposedTemperature*> imposed, double stable_step);
 
@@ -31,8 +31,9 @@ class HeatedModel : public HeatEquation {
   Eigen::SparseMatrix<double> conductance_matrix(double time,
                                                  const double* temperature) const override;
   double stable_step(double /*time*/, const double* /*temperature*/) const override {
-    return stable_step_;
+    return conduction_.surely_stable_step(stable_step_);
   }
+  std::uint64_t version() const override { return model_.conductors_version(); }
 
   /// Hands to the effects what an integrator counted in the accounts while the temperatures (N)
   /// went from `before` to what the model has now.

@@ -133,6 +133,8 @@ Model Simulation::make_model(Specimen specimen) {
     // Where nothing but heat is simulated, the faces are all that bonds are needed for.
     if (by_faces && !moves) specimen.bonds = geometry_->faces;
     if (by_faces && moves) conductors = geometry_->faces;
+    // Bonds that break or form must not take the places of pairs that conduct.
+    if (setup_.get<RuptureParameters>() && !conductors) conductors = specimen.bonds;
   }
   const std::vector<std::int32_t> bonds = count_bonds(specimen);
   unbonded_ = static_cast<std::size_t>(std::count(bonds.begin(), bonds.end(), 0));

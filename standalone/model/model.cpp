@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/model.hpp"
 
+#include <cassert>
 #include <stdexcept>
 #include <string>
 
 namespace solidem {
 
 Model::Model(Specimen specimen, const std::optional<std::vector<Pair>>& conductors)
-    : specimen_(std::move(specimen)), slots_(specimen_.size(), specimen_.bonds) {
-  if (conductors) conductors_.emplace(specimen_.size(), *conductors);
+    : specimen_(std::move(specimen)),
+      bonds_{"bonds", Site::slot, Slots(specimen_.size(), specimen_.bonds)} {
+  if (conductors)
+    conductors_ = PairTable{"conductors", Site::conductor, Slots(specimen_.size(), *conductors)};
   std::vector<Pair>().swap(specimen_.bonds);  // assigning {} would keep its memory
+  assert(slots().is_symmetric() && this->conductors().is_symmetric());
 }
 
 std::size_t Model::size(const Column& column) const {
-  const std::size_t entries = column.site == Site::element ? slots_.padded_elements()
-                              : column.site == Site::slot  ? slots_.rows() * lanes
+  const std::size_t entries = column.site == Site::element ? slots().padded_elements()
+                              : column.site == Site::slot  ? slots().rows() * lanes
                                                            : conductors().rows() * lanes;
   return entries * static_cast<std::size_t>(column.components);
 }
@@ -37,12 +41,49 @@ void Model::add(const Column& column) {
   storage_.push_back(std::move(storage));
 }
 
-void Model::replace_slots(Slots slots) {
-  slots_ = std::move(slots);
+void Model::replace(PairTable& table, Slots slots) {
+  table.slots = std::move(slots);
+  ++table.version;
   for (Storage& storage : storage_)
-    if (storage.column->site == Site::slot)
+    if (storage.column->site == table.site)
       for (int b = 0; b < storage.column->buffers; ++b)
         storage.buffer[b] = Buffer<double>(size(*storage.column));
+}
+
+void Model::replace_slots(Slots slots) {
+  replace(bonds_, std::move(slots));
+}
+
+PairTable& Model::own_conductors() {
+  if (!conductors_) throw std::logic_error("the conductors are the bonds and cannot change apart");
+  return *conductors_;
+}
+
+void Model::replace_conductors(const std::vector<Pair>& pairs) {
+  replace(own_conductors(), Slots(elements(), pairs));
+  assert(conductors().is_symmetric());
+}
+
+void Model::break_bond(Pair pair, double length) {
+  const auto here = slots().find(pair.i, pair.j), there = slots().find(pair.j, pair.i);
+  assert(here && there);
+  // What shares the table of bonds would lose a pair unawares.
+  assert(!has(columns::temperature) || !shares_conductors());
+  slots().set_neighbour(*here, pair.i);
+  slots().set_neighbour(*there, pair.j);
+  ++bonds_.version;
+  bond_changes_.push_back({BondChange::Kind::broken, pair, length});
+}
+
+bool Model::make_bond(Pair pair, double length) {
+  assert(!slots().find(pair.i, pair.j) && !slots().find(pair.j, pair.i));
+  const auto here = slots().find(pair.i, pair.i), there = slots().find(pair.j, pair.j);
+  if (!here || !there) return false;
+  slots().set_neighbour(*here, pair.j);
+  slots().set_neighbour(*there, pair.i);
+  ++bonds_.version;
+  bond_changes_.push_back({BondChange::Kind::made, pair, length});
+  return true;
 }
 
 double* Model::data(const Column& column) {
@@ -65,9 +106,10 @@ void Model::swap(const Column& column) {
 }
 
 std::size_t Model::bytes() const {
-  std::size_t sum = slots_.bytes() + specimen_.position.capacity() * sizeof(Vector) +
+  std::size_t sum = slots().bytes() + specimen_.position.capacity() * sizeof(Vector) +
                     specimen_.radius.capacity() * sizeof(double) +
-                    (conductors_ ? conductors_->bytes() : 0);
+                    bond_changes_.capacity() * sizeof(BondChange) +
+                    (conductors_ ? conductors_->slots.bytes() : 0);
   for (const Storage& storage : storage_)
     for (const Buffer<double>& buffer : storage.buffer) sum += buffer.size() * sizeof(double);
   return sum;

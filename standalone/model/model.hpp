@@ -2,31 +2,56 @@
 #ifndef SOLIDEM_MODEL_MODEL_HPP
 #define SOLIDEM_MODEL_MODEL_HPP
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "model/buffer.hpp"
 #include "model/columns.hpp"
+#include "model/pair_table.hpp"
 #include "model/slots.hpp"
 #include "model/specimen.hpp"
 
 namespace solidem {
 
-/// The state of a simulation: a specimen, its bonds as slots, and the columns that were asked for.
+/// The state of a simulation: a specimen, its tables of pairs, and the columns that were asked for.
+///
+/// The tables: `bonds`, whose slots the motion uses, and `conductors`, which pass heat. Where heat
+/// passes by the bonds and these never change, both are one table, which costs nothing; else each
+/// has slots, columns and a version of its own.
 class Model {
  public:
   /// Takes the specimen; its list of bonds becomes slots and is freed. `conductors`: sorted pairs
-  /// that conduct heat, where these are not the bonds.
+  /// that conduct heat, where these are not the bonds or where bonds may change.
   explicit Model(Specimen specimen, const std::optional<std::vector<Pair>>& conductors = {});
 
   const Specimen& specimen() const { return specimen_; }
-  const Slots& slots() const { return slots_; }
-  /// Bonds may break and form anew.
-  Slots& slots() { return slots_; }
+  const Slots& slots() const { return bonds_.slots; }
+  /// For neighbours that no bond joins, and for what a checkpoint restores; bonds break and form by
+  /// `break_bond` and `make_bond`.
+  Slots& slots() { return bonds_.slots; }
   /// Other neighbours in the place of those before; columns of slots are laid out anew, zeroed.
   void replace_slots(Slots slots);
-  /// Both sides of the pairs that conduct heat: the slots of the bonds unless others were given.
-  const Slots& conductors() const { return conductors_ ? *conductors_ : slots_; }
+
+  /// Empties both slots of a bond and logs that it broke. `length`: at rest, m. Their columns stay.
+  void break_bond(Pair pair, double length);
+  /// Puts a bond into the first free slot of each element and logs it. `length`: at rest, m. False,
+  /// and nothing is done, when an element has no free slot.
+  bool make_bond(Pair pair, double length);
+  /// Bonds that broke or were made since this model was made, in that order: whoever keeps pairs
+  /// of his own follows them here.
+  const std::vector<BondChange>& bond_changes() const { return bond_changes_; }
+
+  /// Both sides of the pairs that conduct heat.
+  const Slots& conductors() const { return conductor_table().slots; }
+  /// Whether they are the bonds themselves.
+  bool shares_conductors() const { return !conductors_; }
+  std::uint64_t conductors_version() const { return conductor_table().version; }
+  /// Other conductors (sorted pairs) in the place of those before, in a table of their own; their
+  /// columns are laid out anew, zeroed.
+  void replace_conductors(const std::vector<Pair>& pairs);
+  /// Tells that columns of the conductors have other values now.
+  void touch_conductors() { ++own_conductors().version; }
   std::size_t elements() const { return specimen_.size(); }
 
   /// Allocates a column, zeroed; asking again changes nothing.
@@ -105,10 +130,16 @@ class Model {
   };
   const Storage* find(const Column& column) const;
   Storage& require(const Column& column);
+  const PairTable& conductor_table() const { return conductors_ ? *conductors_ : bonds_; }
+  /// Throws std::logic_error where they are the bonds.
+  PairTable& own_conductors();
+  /// Other slots of a table; its columns are laid out anew, zeroed.
+  void replace(PairTable& table, Slots slots);
 
   Specimen specimen_;
-  Slots slots_;
-  std::optional<Slots> conductors_;
+  PairTable bonds_;
+  std::optional<PairTable> conductors_;
+  std::vector<BondChange> bond_changes_;
   std::vector<Storage> storage_;
   std::vector<std::int32_t> driven_;
 };

@@ -85,6 +85,14 @@ std::vector<int> Slots::coordination() const {
   return count;
 }
 
+bool Slots::is_symmetric() const {
+  bool symmetric = true;
+  for_each([&](std::int32_t element, std::int32_t neighbour, std::size_t, int) {
+    symmetric = symmetric && find(neighbour, element);
+  });
+  return symmetric;
+}
+
 std::vector<Pair> Slots::pairs() const {
   std::vector<Pair> result;
   result.reserve(bonds_);

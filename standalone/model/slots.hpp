@@ -86,6 +86,9 @@ class Slots {
   /// Number of bonds of each element.
   std::vector<int> coordination() const;
 
+  /// Whether j stands in a slot of i exactly when i stands in one of j.
+  bool is_symmetric() const;
+
   /// The bonds as sorted pairs, each once.
   std::vector<Pair> pairs() const;
 

@@ -7,8 +7,9 @@
 namespace solidem {
 
 void HeatBody::bind(HeatEquation& equation) {
-  if (equation_ == &equation) return;
+  if (equation_ == &equation && version_ == equation.version()) return;
   equation_ = &equation;
+  version_ = equation.version();
   elements_ = equation.elements();
   accounts_ = equation.accounts();
   linear_ = equation.is_linear();

@@ -24,7 +24,7 @@ struct HeatState {
 /// follow from it. So the ledger of every method closes, whatever its error.
 class HeatBody {
  public:
-  /// Attaches to an equation; what was kept of another one is forgotten.
+  /// Attaches to an equation; what was kept of another one, or version, is forgotten.
   void bind(HeatEquation& equation);
 
   HeatEquation& equation() { return *equation_; }
@@ -67,6 +67,7 @@ class HeatBody {
 
  private:
   HeatEquation* equation_ = nullptr;
+  std::uint64_t version_ = 0;  // of the equation
   std::size_t elements_ = 0, accounts_ = 0;
   bool linear_ = false;
   std::vector<double> capacity_;  // (N), constant capacities only

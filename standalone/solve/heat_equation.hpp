@@ -43,6 +43,10 @@ class HeatEquation {
   virtual Eigen::SparseMatrix<double> conductance_matrix(double time,
                                                          const double* temperature) const = 0;
 
+  /// Counts the changes of what conducts: of an older version nothing holds that was derived from
+  /// the powers, the conductances or the stable step.
+  virtual std::uint64_t version() const { return 0; }
+
   /// The longest stable explicit step at a time and temperatures, s.
   virtual double stable_step(double time, const double* temperature) const = 0;
 };

@@ -16,9 +16,13 @@ constexpr double product = 3;
 
 }  // namespace
 
+bool ImplicitHeat::knows(const HeatEquation& equation) const {
+  return equation_ == &equation && version_ == equation.version();
+}
+
 void ImplicitHeat::take_conductances(HeatBody& body, const HeatState& at) {
   HeatEquation& equation = body.equation();
-  if (equation_ == &equation && equation.is_linear()) return;
+  if (knows(equation) && equation.is_linear()) return;
   const auto conductance = equation.conductance_matrix(at.time, at.temperature.data());
   capacity_.resize(body.elements());
   std::vector<char> imposed(body.elements());
@@ -32,6 +36,7 @@ void ImplicitHeat::take_conductances(HeatBody& body, const HeatState& at) {
   }
   solver_.set_conductance(conductance, imposed);
   equation_ = &equation;
+  version_ = equation.version();
   theta_ = 0;
   lasting_ = false;
 }
@@ -125,7 +130,7 @@ double ImplicitHeat::longest_step(HeatBody&, const HeatState&) const {
 
 double ImplicitHeat::work(HeatBody& body, const HeatState& from, double h) {
   const bool linear = body.equation().is_linear();
-  if (linear || equation_ != &body.equation()) take_conductances(body, from);
+  if (linear || !knows(body.equation())) take_conductances(body, from);
   const double theta = gamma * h;
   const bool lasting = linear && theta == last_theta_;
   const ConductanceSolver::Work solver = solver_.work(theta * stiffness_rate_, lasting);

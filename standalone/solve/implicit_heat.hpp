@@ -35,11 +35,14 @@ class ImplicitHeat : public HeatMethod {
  private:
   bool solve_stage(HeatBody& body, const HeatState& from, const std::vector<double>& before,
                    double theta, double tolerance, HeatState& stage);
+  /// Whether the solver has conductances of this very equation.
+  bool knows(const HeatEquation& equation) const;
   void take_conductances(HeatBody& body, const HeatState& at);
   void prepare(HeatBody& body, const HeatState& at, double theta);
 
   ConductanceSolver solver_;
   HeatEquation* equation_ = nullptr;  // whose conductances the solver has
+  std::uint64_t version_ = 0;         // of the equation
   double theta_ = 0;                  // it is ready for
   bool lasting_ = false;              // for many solves
   double last_theta_ = 0;             // it was ready for, in this run or one that it goes on with

@@ -111,6 +111,10 @@ def test_what_is_exported_runs(
             "temperature held: ",
         ),
         ({"density": None}, "density is None; only one number"),
+        (
+            {"laws": {**EXPLAINED["laws"], "rupture": {"strain": 0.02}}},
+            "bonds that break cannot conduct heat",
+        ),
     ],
 )
 def test_what_cannot_be_exported_is_told(
