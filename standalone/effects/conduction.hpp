@@ -47,9 +47,9 @@ class Conduction : public Effect {
   /// Brings the conductors up to date with the bonds; whether any changed.
   bool follow_bonds(Model& model);
 
-  /// The longest explicit step that is surely stable with the conductors of now, s, from the
-  /// longest with those of the start. Pairs added to a body raise its largest decay rate by no more
-  /// than their own, which is at most 2 max Σ_j conductance_ij / C_i over the pairs added.
+  /// An explicit step that is stable with the conductors of now, s, if `at_start` is with those of
+  /// the start. Pairs added to a body raise its largest decay rate by no more than their own, which
+  /// is at most 2 max Σ_j conductance_ij / C_i over the pairs added.
   double surely_stable_step(double at_start) const;
 
   /// min over elements of C_i / Σ_j conductance_ij: no temperature overshoots its neighbours'.
