@@ -117,7 +117,7 @@ def test_energy_goes_where_it_is_said_to_go(references: dict[str, Outcome], name
 
 
 @pytest.mark.parametrize("newton", ["on", "off"])
-@pytest.mark.parametrize("ranks", [1, 2, 3, 4])
+@pytest.mark.parametrize("ranks", [1, 2, pytest.param(3, marks=pytest.mark.slow), 4])
 @pytest.mark.parametrize("name", SCENES)
 def test_ranks_and_rebuilds_change_nothing(
     liggghts: Liggghts, tmp_path: Path, references: dict[str, Outcome], name: str, ranks: int,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The install script: what it drops where, and what it refuses."""
 
+import fcntl
 import shutil
 import subprocess
 from pathlib import Path
@@ -41,7 +42,9 @@ def test_drops_styles_laws_and_pages_into_a_tree(tmp_path: Path) -> None:
     own = built_paths("install", "--drop-only")["tree"]
     tree = tmp_path / "LIGGGHTS"
     (tree / "doc").mkdir(parents=True)
-    shutil.copytree(own / "src", tree / "src")
+    with (own.parent / "install.lock").open("a") as lock:  # another test may be building in it
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        shutil.copytree(own / "src", tree / "src")
     for dropped in (tree / "src").glob("*solidem*"):
         dropped.unlink()
     shutil.rmtree(tree / "src" / "laws")

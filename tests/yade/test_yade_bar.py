@@ -152,6 +152,7 @@ def test_what_heats_held_elements_leaves_through_them(bar: Bar, tmp_path: Path, 
     assert supplied == pytest.approx(gained, rel=1e-8)
 
 
+@pytest.mark.slow
 def test_incremental_form_agrees_to_first_order_in_strain(bar: Bar, tmp_path: Path) -> None:
     task = beam_task(bar, 1e-3 * 12 * RADIUS / (STEPS * bar.beam_step), STEPS)
     total = run_yade(bar.path, task, tmp_path / "total")

@@ -110,6 +110,7 @@ def test_work_becomes_energy(bar: Bar, tmp_path: Path) -> None:
     assert history["dissipated_energy"][-1] > 0.02 * work
 
 
+@pytest.mark.slow
 def test_a_torn_bar_has_lips_and_loses_elements(bar: Bar, tmp_path: Path) -> None:
     task = central_task(bar, PIECEWISE, 1500, 150.0)
     task["laws"]["damage"] = {"lip": 0.8, "every": 1, "minimal_neighbours": 3, "removal_every": 50}

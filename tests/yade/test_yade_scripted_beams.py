@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 from prepared_bar import Bar, beam_task, run_yade
 from test_yade_bar import STEPS, linear_beams
 
@@ -21,6 +22,7 @@ def test_elastic_bar_moves_as_in_small_motion(bar: Bar, tmp_path: Path) -> None:
     assert np.abs(found - moved).max() / np.abs(moved).max() < 5 * strain
 
 
+@pytest.mark.slow
 def test_torn_bar_keeps_its_energy(bar: Bar, tmp_path: Path) -> None:
     steps, strain = 2000, 0.12
     speed = strain * float(np.ptp(bar.specimen.position[:, 0])) / (steps * bar.beam_step)
