@@ -109,6 +109,19 @@ Json central_forces_of(const CentralForceParameters& forces) {
   return result;
 }
 
+/// Adds the parameters of a law of bonds; one that is without limit is null.
+template <class AnyLaw>
+void add_parameters(Json& json, const AnyLaw& any) {
+  std::visit(
+      [&](const auto& law) {
+        for (const auto& parameter : law.parameters()) {
+          const double value = law.*parameter.member;
+          json[parameter.name] = std::isfinite(value) ? Json(value) : Json(nullptr);
+        }
+      },
+      any);
+}
+
 Json laws_of(const Simulation& simulation) {
   const Setup& setup = simulation.setup();
   Json laws = Json::object();
@@ -129,14 +142,16 @@ Json laws_of(const Simulation& simulation) {
   const auto number = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
   };
-  if (setup.plasticity)
+  if (setup.plasticity) {
     laws["plasticity"] = {{"law", name_of(setup.plasticity->law)},
-                          {"yield_strain", setup.plasticity->yield_strain},
-                          {"hardening_ratio", setup.plasticity->hardening_ratio}};
-  if (setup.rupture)
-    laws["rupture"] = {{"elastic_strain", number(setup.rupture->elastic_strain)},
-                       {"strain", number(setup.rupture->strain)},
+                          {"hardening", name_of(setup.plasticity->hardening)}};
+    add_parameters(laws["plasticity"], setup.plasticity->hardening);
+  }
+  if (setup.rupture) {
+    laws["rupture"] = {{"law", name_of(setup.rupture->law)},
                        {"minimal_bonds", setup.rupture->minimal_bonds}};
+    add_parameters(laws["rupture"], setup.rupture->law);
+  }
   if (setup.contact)
     laws["contact"] = {{"stiffness_ratio", setup.contact->stiffness_ratio},
                        {"rebonding_pressure", number(setup.contact->rebonding_pressure)}};

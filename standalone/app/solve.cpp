@@ -126,19 +126,25 @@ void write_trajectories(const std::string& directory, const StaticScene& body,
 std::vector<std::string> notes_of(const Setup& setup, double largest_strain,
                                   const Equilibrium& equilibrium) {
   std::vector<std::string> notes;
-  if (setup.plasticity && largest_strain > setup.plasticity->yield_strain)
-    notes.push_back(fmt::format(
-        "the solution is elastic, but bonds would have yielded: their largest equivalent strain is "
-        "{:.3g}, the yield strain {:.3g}",
-        largest_strain, setup.plasticity->yield_strain));
-  if (setup.rupture) {
-    const double bound = std::min(setup.rupture->elastic_strain.value_or(largest_strain),
-                                  setup.rupture->strain.value_or(largest_strain));
+  const bool is_strain_limit =
+      setup.rupture && std::holds_alternative<StrainLimit>(setup.rupture->law);
+  if (setup.plasticity) {
+    const double bound =
+        limit_strain(&setup.plasticity->hardening, setup.plasticity->law, nullptr, 0);
     if (largest_strain > bound)
-      notes.push_back(fmt::format(
-          "the solution is elastic, but bonds would have broken: their largest equivalent strain "
-          "is {:.3g}, the rupture strain {:.3g}",
-          largest_strain, bound));
+      notes.push_back(
+          fmt::format("the solution is elastic, but bonds would have yielded: their largest "
+                      "equivalent strain is {:.3g}, the yield strain {:.3g}",
+                      largest_strain, bound));
+  }
+  if (setup.rupture) {
+    const double bound = strain_before_rupture(&setup.rupture->law, 0.0);
+    if (largest_strain > bound)
+      notes.push_back(
+          fmt::format("the solution is elastic, but bonds {} have broken: their largest equivalent "
+                      "strain is {:.3g}, {} {:.3g}",
+                      is_strain_limit ? "would" : "may", largest_strain,
+                      is_strain_limit ? "the rupture strain" : "none breaks below", bound));
   }
   if (equilibrium.unstable)
     notes.emplace_back("the equilibrium is unstable: the body would buckle");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // [beams], [plasticity], [rupture] and [contact].
+#include <map>
+
 #include "effects/beam_properties.hpp"
 #include "scene/rules.hpp"
 #include "scene/sections.hpp"
@@ -55,27 +57,88 @@ Rule beams_section(std::optional<BeamParameters>& beams) {
   });
 }
 
+namespace {
+
+/// Keys of the parameters of a law of bonds: as numbers, and as stresses that stand for them times
+/// Young's modulus; `stresses` takes these until read_stresses().
+template <class Law>
+std::vector<Key> bond_law_keys(Law& law, std::map<std::string, double>& stresses) {
+  std::vector<Key> keys;
+  for (const auto& parameter : Law::parameters()) {
+    const Range& range = parameter.bound == LawBound::positive ? positive : not_negative;
+    keys.push_back(may_have(parameter.name, number(law.*parameter.member, range)));
+    if (parameter.stress_name != nullptr)
+      keys.push_back(may_have(parameter.stress_name, quantity(stresses[parameter.stress_name],
+                                                              dimension::modulus, range)));
+  }
+  return keys;
+}
+
+/// Each parameter once, as a number or as a stress; and those that the law needs.
+template <class Law>
+void require_parameters(const Section& section) {
+  for (const auto& parameter : Law::parameters()) {
+    std::vector<std::string> names{parameter.name};
+    if (parameter.stress_name != nullptr) names.insert(names.begin(), parameter.stress_name);
+    parameter.is_required ? section.exactly_one_of(names) : section.at_most_one_of(names);
+  }
+}
+
+template <class Law>
+void read_stresses(const Section& section, const std::map<std::string, double>& stresses,
+                   double young_modulus, Law& law) {
+  for (const auto& parameter : Law::parameters())
+    if (parameter.stress_name != nullptr && section.has(parameter.stress_name))
+      law.*parameter.member = stresses.at(parameter.stress_name) / young_modulus;
+}
+
+/// Names of the parameters that say what a law does when all of them may be left out.
+template <class Law>
+std::string parameter_names() {
+  std::string names;
+  for (const auto& parameter : Law::parameters())
+    names += (names.empty() ? "" : " or ") +
+             std::string(parameter.stress_name != nullptr ? parameter.stress_name : parameter.name);
+  return names;
+}
+
+/// Reads the law of a table that a key names, with the keys it shares with all others.
+template <class Table>
+void read_bond_law(const Section& section, const char* key, const std::vector<Key>& others,
+                   const std::optional<BeamParameters>& beams, typename Table::Any& result) {
+  std::vector<std::pair<std::string, std::string>> names;
+  Table::for_each([&names](const auto& law) { names.emplace_back(law.name, law.name); });
+  std::string name = names.front().first;
+  const Key law_key = may_have(key, choice<std::string>(name, names));
+  section.read_one(law_key);
+  Table::for_each([&](auto law) {
+    using Law = decltype(law);
+    if (name != law.name) return;
+    std::map<std::string, double> stresses;
+    std::vector<Key> keys = bond_law_keys(law, stresses);
+    keys.push_back(law_key);
+    keys.insert(keys.end(), others.begin(), others.end());
+    section.read(keys);
+    require_parameters<Law>(section);
+    if (beams) read_stresses(section, stresses, beams->young_modulus, law);
+    if (const char* complaint = law.complaint(); complaint != nullptr && beams)
+      section.refuse(complaint, parameter_names<Law>());
+    result = law;
+  });
+}
+
+}  // namespace
+
 Rule plasticity_section(std::optional<PlasticityParameters>& plasticity,
                         const std::optional<BeamParameters>& beams) {
   return table([&plasticity, &beams](const Section& section) {
     using Law = PlasticityParameters::Law;
     PlasticityParameters parameters;
-    double yield_stress = 0, hardening_modulus = 0;
-    section.read(
-        {may_have("law", choice<Law>(parameters.law, {{"radial-return", Law::radial_return},
-                                                      {"scaled-offset", Law::scaled_offset}})),
-         may_have("yield_stress", quantity(yield_stress, dimension::modulus, positive)),
-         may_have("yield_strain", number(parameters.yield_strain, positive)),
-         may_have("hardening_modulus",
-                  quantity(hardening_modulus, dimension::modulus, not_negative)),
-         may_have("hardening_ratio", number(parameters.hardening_ratio, not_negative))});
-    section.exactly_one_of({"yield_stress", "yield_strain"});
-    section.at_most_one_of({"hardening_modulus", "hardening_ratio"});
-    if (!beams) return;  // refused as a whole
-    if (section.has("yield_stress")) parameters.yield_strain = yield_stress / beams->young_modulus;
-    if (section.has("hardening_modulus"))
-      parameters.hardening_ratio = hardening_modulus / beams->young_modulus;
-    plasticity = parameters;
+    const Key rule =
+        may_have("law", choice<Law>(parameters.law, {{"radial-return", Law::radial_return},
+                                                     {"scaled-offset", Law::scaled_offset}}));
+    read_bond_law<YieldLaws>(section, "hardening", {rule}, beams, parameters.hardening);
+    if (beams) plasticity = parameters;  // else refused as a whole
   });
 }
 
@@ -83,15 +146,9 @@ Rule rupture_section(std::optional<RuptureParameters>& rupture,
                      const std::optional<BeamParameters>& beams) {
   return table([&rupture, &beams](const Section& section) {
     RuptureParameters parameters;
-    double stress = 0;
-    section.read({may_have("stress", quantity(stress, dimension::modulus, positive)),
-                  may_have("strain", number(parameters.strain, positive)),
-                  may_have("minimal_bonds", integer(parameters.minimal_bonds, 0))});
-    if (!section.has("stress") && !section.has("strain"))
-      section.refuse("nothing says when a bond breaks", "stress or strain, or both");
-    if (!beams) return;
-    if (section.has("stress")) parameters.elastic_strain = stress / beams->young_modulus;
-    rupture = parameters;
+    const Key minimal_bonds = may_have("minimal_bonds", integer(parameters.minimal_bonds, 0));
+    read_bond_law<RuptureLaws>(section, "law", {minimal_bonds}, beams, parameters.law);
+    if (beams) rupture = parameters;
   });
 }
 

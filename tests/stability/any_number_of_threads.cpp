@@ -14,8 +14,7 @@ namespace {
 /// A bar hit at both ends so that it flows and breaks in many places at once, and closes again.
 Setup shattered(FlowLaw flow, BeamLaw law) {
   auto setup = yielding_setup(2e-3, 0.01, flow, law);
-  setup.rupture = RuptureParameters{};
-  setup.rupture->strain = 0.02;
+  setup.rupture = breaking_at_strain(0.02);
   setup.rupture->minimal_bonds = 2;
   setup.contact = ContactParameters{};
   setup.contact->rebonding_pressure = 2e10;

@@ -18,8 +18,7 @@ namespace {
 /// A bar that is drawn until it tears, then pushed back together.
 Setup torn_and_pushed(FlowLaw flow, bool rebonds, std::int64_t steps, double step) {
   auto setup = yielding_setup(2e-3, 0.01, flow);
-  setup.rupture = RuptureParameters{};
-  setup.rupture->strain = 0.02;
+  setup.rupture = breaking_at_strain(0.02);
   setup.contact = ContactParameters{};
   if (rebonds) setup.contact->rebonding_pressure = 1e9;
   const double end = static_cast<double>(steps) * step;

@@ -55,9 +55,8 @@ struct Case {
     setup.beams->radius_from = radius_from;
     if (mixed) setup.beams->precision = BeamParameters::Precision::mixed;
     if (limited) {
-      setup.plasticity = PlasticityParameters{flow, 2e-3, 0.01};
-      setup.rupture = RuptureParameters{};
-      setup.rupture->strain = 0.1;
+      setup.plasticity = PlasticityParameters{flow, LinearHardening{2e-3, 0.01}};
+      setup.rupture = breaking_at_strain(0.1);
       setup.contact = ContactParameters{};
     }
     return setup;
@@ -108,8 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(StepLimitOfBeams, is_found_without_a_trace) {
   auto setup = yielding_setup(1e-9);
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 2e-9;
+  setup.rupture = breaking_at_elastic_strain(2e-9);
   const Simulation simulation(setup, random_bar(100));
   EXPECT_GT(simulation.time_step().limit, 0);
   EXPECT_EQ(seen(simulation, "plastic_work"), 0);
@@ -152,8 +150,7 @@ TEST(StepLimitOfBeams, holds_while_the_body_flows) {
 TEST(StepLimitOfBeams, counts_stiff_contacts) {
   // Two elements whose bond is broken and that meet: the contact is 25 times as stiff as the bond.
   auto setup = beam_setup();
-  setup.rupture = RuptureParameters{};
-  setup.rupture->elastic_strain = 1e-3;
+  setup.rupture = breaking_at_elastic_strain(1e-3);
   setup.contact = ContactParameters{};
   setup.contact->stiffness_ratio = 25;
   const Specimen two = row_of(2);
