@@ -71,9 +71,11 @@ std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool perio
 }
 
 Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model& model)
-    : demands_(demands), properties_(demands.elasticity, model.specimen()) {
+    : demands_(demands),
+      properties_(demands.elasticity, model.specimen()),
+      mean_radius_(mean_radius(model.specimen())) {
   const Specimen& specimen = model.specimen();
-  section_ = properties_.section(mean_radius(specimen), mean_radius(specimen), {1, 0, 0});
+  section_ = properties_.section(mean_radius_, mean_radius_, {1, 0, 0});
   rigidity_ = properties_.rigidity(section_, 1);
 
   double* poses[] = {model.data(columns::pose), model.next(columns::pose)};
@@ -155,8 +157,9 @@ void Beams::release(Model& model, std::size_t row, int lane) {
 std::vector<TimeStepCriterion> Beams::time_step_criteria(const Model& model) const {
   const double* inverse_mass = model.data(columns::inverse_mass);
   double axial = 0, bending = 0, torsion = 0;  // largest squared frequencies
+  const BeamMotion columns_now = columns_of(model);
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    const Bond b = bond(model, i, j, row, lane);
+    const Bond b = bond(columns_now, i, j, row, lane);
     axial = std::max(axial, inverse_mass[i] / b.rest_length() * b.rigidity().axial);
     if (!demands_.turning()) return;
     const double inertia = model.data(columns::inverse_inertia)[i] / b.rest_length();
@@ -173,7 +176,7 @@ std::vector<TimeStepCriterion> Beams::time_step_criteria(const Model& model) con
 
 Beams::Bond Beams::bond(const Model& model, std::int32_t i, std::int32_t j, std::size_t row,
                         int lane) const {
-  return bond(motion(const_cast<Model&>(model)), i, j, row, lane);  // which is only read
+  return bond(columns_of(model), i, j, row, lane);
 }
 
 Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std::size_t row,
@@ -207,6 +210,10 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
   return {i, j, beam, std::visit(respond, *m.yield)};
 }
 
+BeamMotion Beams::columns_of(const Model& model) const {
+  return motion(const_cast<Model&>(model));  // who looks changes nothing
+}
+
 BeamMotion Beams::motion(Model& model) const {
   const auto where = [&](const Column& column) {
     return model.has(column) ? model.data(column) : nullptr;
@@ -215,7 +222,7 @@ BeamMotion Beams::motion(Model& model) const {
   motion.watch = demands_.watch();
   motion.has_rotation = demands_.turning();
   motion.single_precision = demands_.elasticity.precision == BeamParameters::Precision::mixed;
-  motion.length_unit = mean_radius(model.specimen());
+  motion.length_unit = mean_radius_;
   motion.first_row = model.slots().first_row();
   motion.neighbour = model.slots().neighbours();
   motion.pose = model.data(columns::pose);
@@ -279,8 +286,9 @@ double Beams::longest_time_step(double squared_frequency) const {
 }
 
 void Beams::for_each_pair(const Model& model, const PairVisit& visit) const {
+  const BeamMotion columns_now = columns_of(model);
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (i < j) visit(i, j, bond(model, i, j, row, lane).load().force);
+    if (i < j) visit(i, j, bond(columns_now, i, j, row, lane).load().force);
   });
 }
 
@@ -290,7 +298,7 @@ void Beams::observe(const Model& model, Observation& observation) const {
   motion.force.assign(count, {});
   motion.moment.assign(count, {});
   std::vector<double> energy(blocks, 0.0), work(blocks, 0.0);
-  const BeamMotion columns_now = this->motion(const_cast<Model&>(model));  // which is only read
+  const BeamMotion columns_now = columns_of(model);
   for_blocks(blocks, 40, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
       model.slots().for_each_in(block,

@@ -92,6 +92,7 @@ class Beams : public Mechanics {
   BeamMotion motion(Model& model) const;
 
  private:
+  BeamMotion columns_of(const Model& model) const;  ///< to be read alone
   Bond bond(const BeamMotion& motion, std::int32_t i, std::int32_t j, std::size_t row,
             int lane) const;
   NewBond new_bond(const Model& model, std::int32_t i, std::int32_t j, const Vector& chord) const;
@@ -105,6 +106,7 @@ class Beams : public Mechanics {
 
   BeamDemands demands_;
   BeamProperties properties_;
+  double mean_radius_;             ///< of the elements, m
   BeamSection<double> section_;    ///< of every beam, where all are alike
   BeamRigidity<double> rigidity_;  ///< likewise
   std::vector<std::uint32_t> breaking_;

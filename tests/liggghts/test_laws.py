@@ -103,21 +103,6 @@ def test_mohr_coulomb_breaks_in_tension_but_not_under_pressure(
     assert found.totals[0, BROKEN] == broken
 
 
-@pytest.mark.parametrize("words, complaint", [
-    ("plasticity radial-return ludvik yield_strain 1e-3", "unknown hardening 'ludvik'"),
-    ("plasticity radial-return voce yield_strain 1e-3 plastic_scale 1", "needs saturation_strain"),
-    ("plasticity radial-return linear yield_strain -1", "must be positive"),
-    ("rupture mohr-coulomb tensile_strain 1e-3", "needs cohesion_strain or cohesion"),
-    ("rupture strain-limit", "nothing says when a bond breaks"),
-    ("rupture mohr-coulomb tensile_strain 1 cohesion 1 rupture_strain 1", "another rupture law"),
-    ("rupture strain-limit strain 1 strain 2", "given twice"),
-])
-def test_laws_that_cannot_be(liggghts: Liggghts, tmp_path: Path, words: str,
-                             complaint: str) -> None:
-    with pytest.raises(Exception, match=complaint):
-        by_the_style(liggghts, tmp_path, f"{COEFFICIENTS} {words}", stretched(0.0))
-
-
 def test_a_second_look_changes_nothing(liggghts: Liggghts, tmp_path: Path) -> None:
     """Every run looks at its first pose again: bitwise the same loads, nothing flows."""
     words = f"{COEFFICIENTS} plasticity radial-return {YIELD_STRAIN * YOUNG:.17g} 0"

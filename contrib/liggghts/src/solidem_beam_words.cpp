@@ -226,12 +226,12 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
       beam.rebonding_pressure = words.positive(key);
     else
       words.fail("unknown keyword '" + key +
-                 "'; known are law, plasticity, rupture, rupture_stress, rupture_strain, contact, "
+                 "'; known are law, plasticity, rupture_stress, rupture_strain, rupture, contact, "
                  "rebonding_pressure");
   }
   if (beam.contact_ratio > 0.0 && !beam.may_break())
     words.fail(
-        "contact needs rupture, rupture_stress or rupture_strain: only broken bonds have contacts");
+        "contact needs rupture_stress or rupture_strain or rupture: only broken bonds have contacts");
   if (std::isfinite(beam.rebonding_pressure) && beam.contact_ratio == 0.0)
     words.fail("rebonding_pressure needs contact: only contacts make bonds anew");
   if (std::isfinite(beam.rebonding_pressure) && beam.plasticity == SolidemBeam::SCALED_OFFSET)
