@@ -123,8 +123,14 @@ def bond_words(beams: Beams, plasticity: Plasticity | None = None, rupture: Rupt
         words += ["law", beams.law]
         words += [full(beams.shear_coefficient)] if beams.law == "timoshenko" else []
     if plasticity:
-        words += ["plasticity", plasticity.law, full(plasticity.yield_strain * young),
-                  full(plasticity.hardening_ratio * young)]
+        words += ["plasticity", plasticity.law]
+        if plasticity.hardening == "linear":
+            words += [full(plasticity.yield_strain * young),
+                      full(plasticity.hardening_ratio * young)]
+        else:
+            words += [plasticity.hardening, *_law_words(plasticity.parameters)]
+    if rupture and rupture.law != "strain-limit":
+        words += ["rupture", rupture.law, *_law_words(rupture.parameters)]
     if rupture and np.isfinite(rupture.elastic_strain):
         words += ["rupture_stress", full(rupture.elastic_strain * young)]
     if rupture and np.isfinite(rupture.strain):
@@ -134,6 +140,11 @@ def bond_words(beams: Beams, plasticity: Plasticity | None = None, rupture: Rupt
         if contact.rebonding_pressure:
             words += ["rebonding_pressure", full(contact.rebonding_pressure)]
     return " ".join(words)
+
+
+def _law_words(parameters: dict[str, float]) -> list[str]:
+    """The parameters of a law of bonds, each after its name."""
+    return [word for name, value in parameters.items() for word in (name, full(value))]
 
 
 def beam_lines(specimen: Specimen, parameters: Parameters) -> str:

@@ -7,7 +7,7 @@ Everything is in SI units. This file needs no simulation program: numpy and h5py
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -130,17 +130,21 @@ class Plasticity:
     """When beams flow; strains are stresses over the beams' E."""
 
     law: str  #: "radial-return" or "scaled-offset"
-    yield_strain: float  #: σ_y / E
-    hardening_ratio: float = 0.0  #: H / E
+    yield_strain: float = np.nan  #: σ_y / E, of "linear"
+    hardening_ratio: float = 0.0  #: H / E, of "linear"
+    hardening: str = "linear"  #: the yield law
+    parameters: dict[str, float] = field(default_factory=dict)  #: of the yield law by name
 
 
 @dataclass(frozen=True)
 class Rupture:
     """When beams break; infinite: not by this."""
 
-    elastic_strain: float = np.inf  #: bound of σ_e / E
-    strain: float = np.inf  #: bound of σ_e / E + plastic strain
+    elastic_strain: float = np.inf  #: bound of σ_e / E, of "strain-limit"
+    strain: float = np.inf  #: bound of σ_e / E + plastic strain, of "strain-limit"
     minimal_bonds: int = 0  #: elements that lost bonds and keep fewer are removed; 0: never
+    law: str = "strain-limit"
+    parameters: dict[str, float] = field(default_factory=dict)  #: of the law by name
 
 
 @dataclass(frozen=True)
@@ -367,6 +371,15 @@ def _exchanges(entries: list[dict[str, Any]], unsupported: list[str]) -> dict[st
             if entry["temperature"] is not None}
 
 
+def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
+    """A law of bonds with its parameters by name too, but for those without limit."""
+    if law is None:
+        return None
+    parameters = {name: float(value) for name, value in law.items()
+                  if isinstance(value, (int, float)) and name != "minimal_bonds"}
+    return replace(_known(kind, law), parameters=parameters)
+
+
 def parse_parameters(explained: dict[str, Any]) -> Parameters:
     """Parameters from the object that `solidem explain --json` prints."""
     laws = explained.get("laws", {})
@@ -390,8 +403,8 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         _exchanges(explained.get("exchanges") or [], unsupported),
         tuple(entry["name"] for entry in explained.get("powers") or []),
         tuple(unsupported),
-        _known(Plasticity, laws.get("plasticity")),
-        _known(Rupture, laws.get("rupture")),
+        _law_of_bonds(Plasticity, laws.get("plasticity")),
+        _law_of_bonds(Rupture, laws.get("rupture")),
         _known(Contact, laws.get("contact")),
         _known(CentralForces, laws.get("central_forces")),
         _known(Damage, laws.get("damage")),

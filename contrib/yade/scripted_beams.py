@@ -36,6 +36,12 @@ class ScriptedBeamScene(BeamScene):
             raise PreparedError("[contact] is not supported in YADE")
         if parameters.rupture is not None and parameters.rupture.minimal_bonds:
             raise PreparedError("minimal_bonds of [rupture] is not supported in YADE")
+        if parameters.rupture is not None and parameters.rupture.law != "strain-limit":
+            raise PreparedError(f"law \"{parameters.rupture.law}\" of [rupture] is not supported in "
+                                "YADE, only \"strain-limit\"")
+        if parameters.plasticity is not None and parameters.plasticity.hardening != "linear":
+            raise PreparedError(f"hardening \"{parameters.plasticity.hardening}\" of [plasticity] is "
+                                "not supported in YADE, only \"linear\"")
         super().__init__(specimen, parameters)
 
     def _add_beams(self, beams: Beams, incremental: bool) -> None:

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <variant>
+
 namespace solidem {
 
 namespace {
@@ -32,6 +35,20 @@ std::string fibres_section(const Fibres& fibres) {
       fibres.stiffness_ratio);
 }
 
+/// Parameters of a law of bonds, but for those without limit.
+template <class AnyLaw>
+std::string parameter_lines(const AnyLaw& any) {
+  std::string text;
+  std::visit(
+      [&](const auto& law) {
+        for (const auto& parameter : law.parameters())
+          if (std::isfinite(law.*parameter.member))
+            text += fmt::format("{} = {:.8g}\n", parameter.name, law.*parameter.member);
+      },
+      any);
+  return text;
+}
+
 }  // namespace
 
 double poisson_ratio_of(const BeamParameters& beams) {
@@ -51,16 +68,12 @@ std::string bond_sections(const BondParameters& bonds) {
   if (beams.anisotropy) text += anisotropy_section(beams);
   if (beams.fibres) text += fibres_section(*beams.fibres);
   if (bonds.plasticity)
-    text += fmt::format(
-        "\n[plasticity]\nlaw = \"{}\"\nyield_strain = {:.8g}\nhardening_ratio = {:.8g}\n",
-        name_of(bonds.plasticity->law), bonds.plasticity->yield_strain,
-        bonds.plasticity->hardening_ratio);
+    text += fmt::format("\n[plasticity]\nlaw = \"{}\"\nhardening = \"{}\"\n{}",
+                        name_of(bonds.plasticity->law), name_of(bonds.plasticity->hardening),
+                        parameter_lines(bonds.plasticity->hardening));
   if (bonds.rupture) {
-    text += "\n[rupture]\n";
-    if (bonds.rupture->strain) text += fmt::format("strain = {:.8g}\n", *bonds.rupture->strain);
-    if (bonds.rupture->elastic_strain)
-      text += fmt::format("stress = \"{:.8g} Pa\"\n",
-                          *bonds.rupture->elastic_strain * beams.young_modulus);
+    text += fmt::format("\n[rupture]\nlaw = \"{}\"\n{}", name_of(bonds.rupture->law),
+                        parameter_lines(bonds.rupture->law));
     if (bonds.rupture->minimal_bonds > 0)
       text += fmt::format("minimal_bonds = {}\n", bonds.rupture->minimal_bonds);
   }

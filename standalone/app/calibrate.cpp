@@ -61,11 +61,11 @@ std::string text_of(const CalibrationTrial& trial) {
       text += fmt::format(" poisson_ratio {:.4g}", poisson_ratio_of(bonds.beams));
   } else {
     text = "pulled ";
-    if (bonds.plasticity)
-      text += fmt::format(" yield_strain {:.4g} hardening_ratio {:.4g}",
-                          bonds.plasticity->yield_strain, bonds.plasticity->hardening_ratio);
-    if (bonds.rupture && bonds.rupture->strain)
-      text += fmt::format(" rupture {:.4g}", *bonds.rupture->strain);
+    if (const LinearHardening* hardening = linear_hardening(bonds))
+      text += fmt::format(" yield_strain {:.4g} hardening_ratio {:.4g}", hardening->yield_strain,
+                          hardening->hardening_ratio);
+    if (const std::optional<double> strain = rupture_strain(bonds))
+      text += fmt::format(" rupture {:.4g}", *strain);
   }
   return fmt::format("{:<68}:{}  ({:.2g} s)", text, text_of(trial.figures), trial.seconds);
 }
@@ -78,11 +78,11 @@ Json json_of(const BondParameters& bonds) {
   Json json = {{"young_modulus", bonds.beams.young_modulus},
                {"shear_modulus", bonds.beams.shear_modulus},
                {"radius_ratio", bonds.beams.radius_ratio}};
-  if (bonds.plasticity) {
-    json["yield_strain"] = bonds.plasticity->yield_strain;
-    json["hardening_ratio"] = bonds.plasticity->hardening_ratio;
+  if (const LinearHardening* hardening = linear_hardening(bonds)) {
+    json["yield_strain"] = hardening->yield_strain;
+    json["hardening_ratio"] = hardening->hardening_ratio;
   }
-  if (bonds.rupture) json["rupture_strain"] = json_of(bonds.rupture->strain);
+  if (bonds.rupture) json["rupture_strain"] = json_of(rupture_strain(bonds));
   return json;
 }
 
@@ -121,10 +121,12 @@ Json uncertainty_of(const Calibration& found) {
     if (key == "young_modulus") json[key] = share * found.bonds.beams.young_modulus;
     if (key == "poisson_ratio" && found.poisson_slope != 0)
       json["poisson_parameter"] = spread.deviation / std::abs(found.poisson_slope);
-    if (key == "yield_stress" && found.bonds.plasticity)
-      json["yield_strain"] = share * found.bonds.plasticity->yield_strain;
-    if (key == "rupture_strain" && found.bonds.rupture && found.bonds.rupture->strain)
-      json["rupture_strain"] = share * *found.bonds.rupture->strain;
+    if (const LinearHardening* hardening = linear_hardening(found.bonds);
+        key == "yield_stress" && hardening != nullptr)
+      json["yield_strain"] = share * hardening->yield_strain;
+    if (const std::optional<double> strain = rupture_strain(found.bonds);
+        key == "rupture_strain" && strain)
+      json["rupture_strain"] = share * *strain;
   }
   return json;
 }

@@ -126,21 +126,26 @@ void write_trajectories(const std::string& directory, const StaticScene& body,
 std::vector<std::string> notes_of(const Setup& setup, double largest_strain,
                                   const Equilibrium& equilibrium) {
   std::vector<std::string> notes;
-  if (setup.get<PlasticityParameters>() &&
-      largest_strain > setup.get<PlasticityParameters>()->yield_strain)
-    notes.push_back(fmt::format(
-        "the solution is elastic, but bonds would have yielded: their largest equivalent strain is "
-        "{:.3g}, the yield strain {:.3g}",
-        largest_strain, setup.get<PlasticityParameters>()->yield_strain));
-  if (setup.get<RuptureParameters>()) {
-    const double bound =
-        std::min(setup.get<RuptureParameters>()->elastic_strain.value_or(largest_strain),
-                 setup.get<RuptureParameters>()->strain.value_or(largest_strain));
+  const bool is_strain_limit =
+      setup.get<RuptureParameters>() &&
+      std::holds_alternative<StrainLimit>(setup.get<RuptureParameters>()->law);
+  if (setup.get<PlasticityParameters>()) {
+    const double bound = limit_strain(&setup.get<PlasticityParameters>()->hardening,
+                                      setup.get<PlasticityParameters>()->law, nullptr, 0);
     if (largest_strain > bound)
-      notes.push_back(fmt::format(
-          "the solution is elastic, but bonds would have broken: their largest equivalent strain "
-          "is {:.3g}, the rupture strain {:.3g}",
-          largest_strain, bound));
+      notes.push_back(
+          fmt::format("the solution is elastic, but bonds would have yielded: their largest "
+                      "equivalent strain is {:.3g}, the yield strain {:.3g}",
+                      largest_strain, bound));
+  }
+  if (setup.get<RuptureParameters>()) {
+    const double bound = strain_before_rupture(&setup.get<RuptureParameters>()->law, 0.0);
+    if (largest_strain > bound)
+      notes.push_back(
+          fmt::format("the solution is elastic, but bonds {} have broken: their largest equivalent "
+                      "strain is {:.3g}, {} {:.3g}",
+                      is_strain_limit ? "would" : "may", largest_strain,
+                      is_strain_limit ? "the rupture strain" : "none breaks below", bound));
   }
   if (equilibrium.unstable)
     notes.emplace_back("the equilibrium is unstable: the body would buckle");

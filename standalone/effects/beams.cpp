@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <variant>
 
+#include "effects/bond_state.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/lane_vectors.hpp"
 
 namespace solidem {
 
 namespace {
-
-constexpr double never = std::numeric_limits<double>::infinity();
 
 Vector pose_centre(const double* row) {
   return {row[0], row[1], row[2]};
@@ -21,12 +20,27 @@ Quaternion<double> pose_orientation(const double* row) {
   return {row[4], {row[5], row[6], row[7]}};
 }
 
-/// Columns of slots that bonds have, whichever of them a scene needs.
-constexpr const Column* slot_columns[] = {&columns::rest_direction,     &columns::rest_length,
-                                          &columns::bond_radius,        &columns::bond_rigidity,
-                                          &columns::image_shift,        &columns::section_normal,
-                                          &columns::far_section_normal, &columns::plastic_extension,
-                                          &columns::plastic_twist,      &columns::plastic_strain};
+/// Writes the components of a column in a slot.
+void set_slot(Model& model, const Column& column, std::size_t row, int lane,
+              const double* components) {
+  for (int k = 0; k < column.components; ++k)
+    model.data(column)[Model::at_slot(column, row, lane, k)] = components[k];
+}
+
+/// A slot of a bond, as load_bond() reads it.
+struct SlotReader {
+  std::size_t row;
+  int lane;
+  double number(const double* column, int components = 1, int component = 0) const {
+    return column[(static_cast<std::size_t>(components) * row +
+                   static_cast<std::size_t>(component)) *
+                      lanes +
+                  static_cast<std::size_t>(lane)];
+  }
+  Vector vector(const double* column) const {
+    return {number(column, 3, 0), number(column, 3, 1), number(column, 3, 2)};
+  }
+};
 
 }  // namespace
 
@@ -36,50 +50,38 @@ BeamDemands demands_of(const Setup& setup) {
           setup.get<RuptureParameters>(), contact && contact->rebonding_pressure};
 }
 
-BeamFlow BeamDemands::flow() const {
-  if (plasticity && plasticity->law == PlasticityParameters::Law::scaled_offset)
-    return BeamFlow::scaled_offset;
+Watch BeamDemands::watch() const {
   // A bond that is made between elements which have turned must remember its normals.
-  if (plasticity || rebonding) return BeamFlow::radial_return;
-  return rupture ? BeamFlow::brittle : BeamFlow::none;
+  if (plasticity || rebonding) return Watch::remembering;
+  return rupture ? Watch::watched : Watch::elastic;
+}
+
+BondNeeds BeamDemands::needs(bool periodic) const {
+  const bool since_made = plasticity && plasticity->law == FlowRule::scaled_offset;
+  return {turning(),
+          watch() == Watch::remembering,
+          since_made,
+          !beams_are_alike(elasticity),
+          watch() != Watch::elastic,
+          periodic};
 }
 
 std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool periodic) {
-  const BeamFlow flow = demands.flow();
-  std::vector<const Column*> asked = {&columns::pose, &columns::velocity, &columns::inverse_mass,
-                                      &columns::rest_length};
-  if (demands.turning()) {
-    asked.push_back(&columns::angular_velocity);
-    asked.push_back(&columns::inverse_inertia);
-    if (flow != BeamFlow::radial_return) asked.push_back(&columns::rest_direction);
-    if (remembers(flow))
-      asked.insert(asked.end(), {&columns::section_normal, &columns::far_section_normal,
-                                 &columns::plastic_twist});
-  }
-  if (remembers(flow))
-    asked.insert(asked.end(),
-                 {&columns::plastic_extension, &columns::plastic_strain, &columns::plastic_work});
-  if (!beams_are_alike(demands.elasticity)) {
-    asked.push_back(&columns::bond_rigidity);
-    if (flow != BeamFlow::none) asked.push_back(&columns::bond_radius);
-  }
-  if (periodic) asked.push_back(&columns::image_shift);
+  std::vector<const Column*> asked = {&columns::pose, &columns::velocity, &columns::inverse_mass};
+  if (demands.turning())
+    asked.insert(asked.end(), {&columns::angular_velocity, &columns::inverse_inertia});
+  if (demands.watch() == Watch::remembering) asked.push_back(&columns::plastic_work);
+  for (const BondColumn& kept : bond_columns)
+    if (kept.is_needed(demands.needs(periodic))) asked.push_back(kept.column);
   return asked;
 }
 
 Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model& model)
     : demands_(demands),
       properties_(demands.elasticity, model.specimen()),
-      flow_(demands.flow()),
-      yield_{never, 0},
-      rupture_{never, never} {
+      mean_radius_(mean_radius(model.specimen())) {
   const Specimen& specimen = model.specimen();
-  if (demands.plasticity)
-    yield_ = {demands.plasticity->yield_strain, demands.plasticity->hardening_ratio};
-  if (demands.rupture)
-    rupture_ = {demands.rupture->elastic_strain.value_or(never),
-                demands.rupture->strain.value_or(never)};
-  section_ = properties_.section(mean_radius(specimen), mean_radius(specimen), {1, 0, 0});
+  section_ = properties_.section(mean_radius_, mean_radius_, {1, 0, 0});
   rigidity_ = properties_.rigidity(section_, 1);
 
   double* poses[] = {model.data(columns::pose), model.next(columns::pose)};
@@ -96,21 +98,9 @@ Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model&
       model.data(columns::inverse_inertia)[i] = 1 / sphere_inertia(mass[i], specimen.radius[i]);
   }
 
-  double* length = model.data(columns::rest_length);
-  std::fill(length, length + model.size(columns::rest_length), 1.0);
-  // An empty slot has shrunk to nothing, so that it is not taken for strained.
-  if (model.has(columns::plastic_extension)) {
-    double* extension = model.data(columns::plastic_extension);
-    std::fill(extension, extension + model.size(columns::plastic_extension), -1.0);
-  }
-  if (model.has(columns::bond_radius)) {
-    double* radius = model.data(columns::bond_radius);
-    std::fill(radius, radius + model.size(columns::bond_radius), 1.0);
-  }
-  if (model.has(columns::bond_rigidity)) {
-    double* rigidity = model.data(columns::bond_rigidity);
-    std::fill(rigidity, rigidity + model.size(columns::bond_rigidity), 1.0);
-  }
+  for (const BondColumn& kept : bond_columns)
+    if (model.has(*kept.column))
+      std::fill_n(model.data(*kept.column), model.size(*kept.column), kept.empty);
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
     // Both sides take the chord from the lower to the higher element: their rest states are
     // opposite to the last bit.
@@ -120,68 +110,62 @@ Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model&
   });
 }
 
-void Beams::bind(Model& model, std::int32_t i, std::int32_t j, std::size_t row, int lane,
-                 const Vector& chord) const {
+NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
+                        const Vector& chord) const {
   const Specimen& specimen = model.specimen();
   const double* row_i = model.data(columns::pose) + std::ptrdiff_t{8} * i;
   const double* row_j = model.data(columns::pose) + std::ptrdiff_t{8} * j;
+  const Quaternion<double> q_i = pose_orientation(row_i), q_j = pose_orientation(row_j);
   const double length = norm(chord);
   const Vector direction = (1 / length) * chord;
-  const auto slot = Model::at_slot(columns::rest_length, row, lane);
-  const auto slot3 = Model::at_slot(columns::rest_direction, row, lane);
-  const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-  model.data(columns::rest_length)[slot] = length;
-  if (model.has(columns::rest_direction))
-    set_lanes_vector(model.data(columns::rest_direction), slot3, direction);
-  if (model.has(columns::section_normal)) {
-    const Quaternion<double> q_i = pose_orientation(row_i), q_j = pose_orientation(row_j);
-    set_lanes_vector(model.data(columns::section_normal), slot3, rotate(conjugate(q_i), direction));
-    set_lanes_vector(model.data(columns::far_section_normal), slot3,
-                     rotate(conjugate(q_j), direction));
-    model.data(columns::plastic_twist)[slot] = 2 * dot((q_j * conjugate(q_i)).v, direction);
-  }
-  if (model.has(columns::plastic_extension)) {
-    model.data(columns::plastic_extension)[slot] = 0;
-    model.data(columns::plastic_strain)[slot] = 0;
-  }
-  if (model.has(columns::bond_rigidity)) {
-    const BeamSection<double> section =
-        properties_.section(specimen.radius[a], specimen.radius[b], chord);
-    const BeamRigidity<double> rigidity = properties_.rigidity(section, length);
-    const double components[] = {rigidity.axial, rigidity.bending, rigidity.shear,
-                                 rigidity.torsion};
-    for (int k = 0; k < 4; ++k)
-      model.data(columns::bond_rigidity)[Model::at_slot(columns::bond_rigidity, row, lane, k)] =
-          components[k];
-    if (model.has(columns::bond_radius)) model.data(columns::bond_radius)[slot] = section.radius;
-  }
+  const BeamSection<double> section =
+      properties_.section(specimen.radius[static_cast<std::size_t>(i)],
+                          specimen.radius[static_cast<std::size_t>(j)], chord);
+  Vector image_shift{};
   if (model.has(columns::image_shift)) {
     // A whole number of periods, so that it is exact and the two sides' shifts are opposite.
     const Vector extent = specimen.domain.upper - specimen.domain.lower;
     const Vector d = chord - (pose_centre(row_j) - pose_centre(row_i));
-    set_lanes_vector(
-        model.data(columns::image_shift), slot3,
-        {std::nearbyint(d.x / extent.x) * extent.x, std::nearbyint(d.y / extent.y) * extent.y,
-         std::nearbyint(d.z / extent.z) * extent.z});
+    image_shift = {std::nearbyint(d.x / extent.x) * extent.x,
+                   std::nearbyint(d.y / extent.y) * extent.y,
+                   std::nearbyint(d.z / extent.z) * extent.z};
+  }
+  return {length,
+          direction,
+          rotate(conjugate(q_i), direction),
+          rotate(conjugate(q_j), direction),
+          2 * dot((q_j * conjugate(q_i)).v, direction),
+          section.radius,
+          properties_.rigidity(section, length),
+          image_shift,
+          limit_strain(yield(), flow_rule(), rupture(), 0)};
+}
+
+void Beams::bind(Model& model, std::int32_t i, std::int32_t j, std::size_t row, int lane,
+                 const Vector& chord) const {
+  const NewBond bond = new_bond(model, i, j, chord);
+  for (const BondColumn& kept : bond_columns) {
+    if (!model.has(*kept.column)) continue;
+    double components[4];
+    kept.write(bond, components);
+    set_slot(model, *kept.column, row, lane, components);
   }
 }
 
 void Beams::release(Model& model, std::size_t row, int lane) {
-  for (const Column* column : slot_columns)
-    if (model.has(*column) && column != &columns::bond_radius && column != &columns::bond_rigidity)
-      for (int k = 0; k < column->components; ++k)
-        model.data(*column)[Model::at_slot(*column, row, lane, k)] = 0;
-  model.data(columns::rest_length)[Model::at_slot(columns::rest_length, row, lane)] = 1;
-  if (model.has(columns::plastic_extension))
-    model.data(columns::plastic_extension)[Model::at_slot(columns::plastic_extension, row, lane)] =
-        -1;
+  for (const BondColumn& kept : bond_columns) {
+    if (!model.has(*kept.column)) continue;
+    const double components[] = {kept.empty, kept.empty, kept.empty, kept.empty};
+    set_slot(model, *kept.column, row, lane, components);
+  }
 }
 
 std::vector<TimeStepCriterion> Beams::time_step_criteria(const Model& model) const {
   const double* inverse_mass = model.data(columns::inverse_mass);
   double axial = 0, bending = 0, torsion = 0;  // largest squared frequencies
+  const BeamMotion columns_now = columns_of(model);
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    const Bond b = bond(model, i, j, row, lane);
+    const Bond b = bond(columns_now, i, j, row, lane);
     axial = std::max(axial, inverse_mass[i] / b.rest_length() * b.rigidity().axial);
     if (!demands_.turning()) return;
     const double inertia = model.data(columns::inverse_inertia)[i] / b.rest_length();
@@ -198,51 +182,42 @@ std::vector<TimeStepCriterion> Beams::time_step_criteria(const Model& model) con
 
 Beams::Bond Beams::bond(const Model& model, std::int32_t i, std::int32_t j, std::size_t row,
                         int lane) const {
-  const double* pose = model.data(columns::pose);
-  const double* row_i = pose + std::ptrdiff_t{8} * i;
-  const double* row_j = pose + std::ptrdiff_t{8} * j;
+  return bond(columns_of(model), i, j, row, lane);
+}
+
+Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std::size_t row,
+                        int lane) const {
+  const double* row_i = m.pose + std::ptrdiff_t{8} * i;
+  const double* row_j = m.pose + std::ptrdiff_t{8} * j;
   const Quaternion<double> q_i = pose_orientation(row_i), q_j = pose_orientation(row_j);
-  const auto slot = Model::at_slot(columns::rest_length, row, lane);
-  const auto slot3 = Model::at_slot(columns::rest_direction, row, lane);
-  const auto number = [&](const Column& column) {
-    return model.has(column) ? model.data(column)[slot] : 0.0;
-  };
-  const auto vector = [&](const Column& column) {
-    return model.has(column) ? lanes_vector(model.data(column), slot3) : Vector{};
-  };
-  const Vector chord = pose_centre(row_j) - pose_centre(row_i) + vector(columns::image_shift);
-  Bond result{i, j, {rigidity_, number(columns::rest_length), section_.radius, 0, yield_}, {}};
-  YieldingBeam<double>& beam = result.beam;
-  if (model.has(columns::bond_rigidity)) {
-    const double* rigidity = model.data(columns::bond_rigidity);
-    const auto component = [&](int k) {
-      return rigidity[Model::at_slot(columns::bond_rigidity, row, lane, k)];
-    };
-    beam.rigidity = {component(0), component(1), component(2), component(3)};
+  const SlotReader slot{row, lane};
+  Vector chord = pose_centre(row_j) - pose_centre(row_i);
+  if (m.image_shift != nullptr) chord += slot.vector(m.image_shift);
+  const BondKind kind{m.has_rotation, m.bond_rigidity != nullptr, m.watch == Watch::remembering};
+  BondNow<double> now = load_bond(kind, m, slot, chord, q_i, conjugate(q_i), q_j);
+  if (kind.remembers) now.history.strain = slot.number(m.plastic_strain);
+
+  YieldingBeam<double> beam{now.rigidity, now.rest_length, m.radius, 0};
+  if (kind.per_bond_rigidity)
     beam.radius = std::sqrt(2 * beam.rigidity.bending / beam.rigidity.axial);  // of a circle
-  }
   if (beam.radius > 0)
     beam.shear_ratio =
         2 * beam.rigidity.torsion / (beam.rigidity.axial * beam.radius * beam.radius);
+  if (m.yield == nullptr)
+    return {i, j, beam, elastic_response(beam, now.history, now.pose, now.deformation)};
+  const auto respond = [&](const auto& law) {
+    const YieldCurve<std::decay_t<decltype(law)>, double> curve{law};
+    if (m.flow_rule == FlowRule::radial_return)
+      return radial_return_response(curve, beam, now.history, now.pose, now.deformation, q_i, q_j);
+    const BondSinceMade<double> whole = since_made(kind, m, slot, now, q_i, q_j);
+    return scaled_offset_response(curve, beam, now.history, now.pose, now.deformation, whole.pose,
+                                  whole.deformation, q_i, q_j);
+  };
+  return {i, j, beam, std::visit(respond, *m.yield)};
+}
 
-  const Vector rest_direction = vector(columns::rest_direction);
-  BeamHistory<double> history = unyielded(rest_direction);
-  if (remembers(flow_))
-    history = {vector(columns::section_normal), vector(columns::far_section_normal),
-               number(columns::plastic_extension), number(columns::plastic_twist),
-               number(columns::plastic_strain)};
-  if (flow_ == BeamFlow::scaled_offset) {
-    result.response = scaled_offset_response(beam, history, rest_direction, chord, q_i, q_j);
-  } else if (flow_ == BeamFlow::radial_return) {
-    result.response = radial_return_response(beam, history, chord, q_i, q_j);
-  } else {
-    const BeamPose<double> at = beam_pose(chord, rest_direction, q_i, q_j);
-    const BeamDeformation<double> deformation = beam_deformation(beam.rest_length, at);
-    result.response = {beam_load(beam.rigidity, at, deformation), history,
-                       equivalent_strain(beam.radius, beam.shear_ratio, at, deformation),
-                       beam_energy(beam.rigidity, at, deformation), 0};
-  }
-  return result;
+BeamMotion Beams::columns_of(const Model& model) const {
+  return motion(const_cast<Model&>(model));  // who looks changes nothing
 }
 
 BeamMotion Beams::motion(Model& model) const {
@@ -250,10 +225,10 @@ BeamMotion Beams::motion(Model& model) const {
     return model.has(column) ? model.data(column) : nullptr;
   };
   BeamMotion motion{};
-  motion.flow = flow_;
-  motion.turning = demands_.turning();
+  motion.watch = demands_.watch();
+  motion.has_rotation = demands_.turning();
   motion.single_precision = demands_.elasticity.precision == BeamParameters::Precision::mixed;
-  motion.length_unit = mean_radius(model.specimen());
+  motion.length_unit = mean_radius_;
   motion.first_row = model.slots().first_row();
   motion.neighbour = model.slots().neighbours();
   motion.pose = model.data(columns::pose);
@@ -276,8 +251,11 @@ BeamMotion Beams::motion(Model& model) const {
   motion.bond_radius = where(columns::bond_radius);
   motion.radius = section_.radius;
   motion.shear_ratio = section_.shear_modulus / section_.young_modulus;
-  motion.yield = yield_;
-  motion.rupture = rupture_;
+  motion.limit_strain = where(columns::limit_strain);
+  motion.common_limit_strain = strain_before_rupture(rupture(), 0.0);
+  motion.yield = yield();
+  motion.flow_rule = flow_rule();
+  motion.rupture = rupture();
   return motion;
 }
 
@@ -302,8 +280,8 @@ void Beams::advance(Model& model, const Step& step) {
 void Beams::accelerate(Model& model) const {
   BeamMotion elastic = motion(model);
   elastic.kick = 1;
-  elastic.yield = {never, 0};
-  elastic.rupture = {never, never};
+  elastic.yield = nullptr;
+  elastic.rupture = nullptr;
   for_blocks(model.slots().blocks(), 40, [&](std::size_t first, std::size_t last) {
     kernels().move_beams(elastic, first, last);
   });
@@ -314,8 +292,9 @@ double Beams::longest_time_step(double squared_frequency) const {
 }
 
 void Beams::for_each_pair(const Model& model, const PairVisit& visit) const {
+  const BeamMotion columns_now = columns_of(model);
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (i < j) visit(i, j, bond(model, i, j, row, lane).load().force);
+    if (i < j) visit(i, j, bond(columns_now, i, j, row, lane).load().force);
   });
 }
 
@@ -325,11 +304,12 @@ void Beams::observe(const Model& model, Observation& observation) const {
   motion.force.assign(count, {});
   motion.moment.assign(count, {});
   std::vector<double> energy(blocks, 0.0), work(blocks, 0.0);
+  const BeamMotion columns_now = columns_of(model);
   for_blocks(blocks, 40, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
       model.slots().for_each_in(block,
                                 [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-                                  const Bond b = bond(model, i, j, row, lane);
+                                  const Bond b = bond(columns_now, i, j, row, lane);
                                   motion.force[static_cast<std::size_t>(i)] += b.load().force;
                                   motion.moment[static_cast<std::size_t>(i)] += b.load().moment_i;
                                   energy[block] += 0.5 * b.energy();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "effects/beam_properties.hpp"
+#include "effects/bond_columns.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "effects/mechanics.hpp"
 #include "effects/setup.hpp"
@@ -19,8 +20,9 @@ struct BeamDemands {
   std::optional<RuptureParameters> rupture;
   bool rebonding = false;  ///< bonds may be made anew, between elements that have turned
 
-  /// What the hot loop must do.
-  BeamFlow flow() const;
+  /// What the hot loop must look out for.
+  Watch watch() const;
+  BondNeeds needs(bool periodic) const;
   bool turning() const { return elasticity.law != BeamParameters::Law::spring; }
 };
 
@@ -97,13 +99,23 @@ class Beams : public Mechanics {
   BeamMotion motion(Model& model) const;
 
  private:
+  BeamMotion columns_of(const Model& model) const;  ///< to be read alone
+  Bond bond(const BeamMotion& motion, std::int32_t i, std::int32_t j, std::size_t row,
+            int lane) const;
+  NewBond new_bond(const Model& model, std::int32_t i, std::int32_t j, const Vector& chord) const;
+  const YieldLaw* yield() const {
+    return demands_.plasticity ? &demands_.plasticity->hardening : nullptr;
+  }
+  const RuptureLaw* rupture() const { return demands_.rupture ? &demands_.rupture->law : nullptr; }
+  FlowRule flow_rule() const {
+    return demands_.plasticity ? demands_.plasticity->law : FlowRule::radial_return;
+  }
+
   BeamDemands demands_;
   BeamProperties properties_;
-  BeamFlow flow_;
+  double mean_radius_;             ///< of the elements, m
   BeamSection<double> section_;    ///< of every beam, where all are alike
   BeamRigidity<double> rigidity_;  ///< likewise
-  BeamYield<double> yield_;
-  BeamRupture<double> rupture_;
   std::vector<std::uint32_t> breaking_;
 };
 

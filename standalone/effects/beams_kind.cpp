@@ -168,19 +168,9 @@ void finish_beams(const Section& section, BeamParameters& p, Reading& /*reading*
 
 std::string beam_kernel(const BeamDemands& demands, bool periodic) {
   std::string kernel = demands.turning() ? "move_beams" : "move_beams, springs";
-  switch (demands.flow()) {
-    case BeamFlow::none:
-      break;
-    case BeamFlow::brittle:
-      kernel += ", brittle";
-      break;
-    case BeamFlow::radial_return:
-      kernel += ", radial return";
-      break;
-    case BeamFlow::scaled_offset:
-      kernel += ", scaled offset";
-      break;
-  }
+  if (demands.watch() == Watch::remembering)
+    kernel += demands.needs(periodic).measured_since_made ? ", scaled offset" : ", radial return";
+  if (demands.watch() == Watch::watched) kernel += ", brittle";
   if (!beams_are_alike(demands.elasticity)) kernel += ", a rigidity for each bond";
   if (periodic) kernel += ", periodic";
   if (demands.elasticity.precision == Precision::mixed) kernel += ", law in single precision";

@@ -19,6 +19,14 @@ const char* name_of(PlasticityParameters::Law law) {
   return law == PlasticityParameters::Law::scaled_offset ? "scaled-offset" : "radial-return";
 }
 
+std::string name_of(const YieldLaw& law) {
+  return std::visit([](const auto& any) { return any.name; }, law);
+}
+
+std::string name_of(const RuptureLaw& law) {
+  return std::visit([](const auto& any) { return any.name; }, law);
+}
+
 const char* name_of(ConductionParameters::Law law) {
   switch (law) {
     case ConductionParameters::Law::platonic:

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "laws/bond_limit.hpp"
 #include "laws/central_laws.hpp"
 #include "laws/oriented_modulus.hpp"
 #include "model/region.hpp"
@@ -64,23 +65,20 @@ struct BeamParameters {
 
 /// Plastic flow of beam bonds.
 struct PlasticityParameters {
-  enum class Law {
-    radial_return,
-    scaled_offset  ///< of the thesis: flows back only beyond the largest strain before
-  };
+  using Law = FlowRule;
   Law law = Law::radial_return;
-  double yield_strain = 0;                                    ///< σ_y / E
-  double hardening_ratio = 0;                                 ///< H / E
-  std::optional<double> yield_stress{}, hardening_modulus{};  ///< Pa, where these are given instead
+  YieldLaw hardening;
 };
 
-/// Rupture of beam bonds; at least one of the bounds is given.
+/// Rupture of beam bonds.
 struct RuptureParameters {
-  std::optional<double> elastic_strain;  ///< σ_rupt / E
-  std::optional<double> strain;          ///< of elastic and plastic strain together
-  int minimal_bonds = 0;                 ///< elements that lost bonds and keep fewer are removed
-  std::optional<double> stress{};        ///< σ_rupt, Pa, where it is given instead
+  RuptureLaw law;
+  int minimal_bonds = 0;  ///< elements that lost bonds and keep fewer are removed
 };
+
+/// Names of laws of bonds, as a scene spells them.
+std::string name_of(const YieldLaw& law);
+std::string name_of(const RuptureLaw& law);
 
 /// Contact of elements that have lost bonds.
 struct ContactParameters {

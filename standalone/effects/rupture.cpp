@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
+#include "effects/bond_law_keys.hpp"
 #include "effects/effect_kind.hpp"
-#include "keys/rules.hpp"
 #include "laws/contact.hpp"
 
 namespace solidem {
@@ -122,26 +122,23 @@ void Rupture::state(Archive& archive) {
 
 namespace {
 
-std::vector<Key> rupture_keys(RuptureParameters& p, Reading& /*reading*/) {
-  return {may_have("stress", quantity(p.stress, dimension::modulus, positive))
-              .means("equivalent stress at which a beam breaks")
-              .without("one of both, or both"),
-          may_have("strain", number(p.strain, positive))
-              .means("the same as a strain of tension, σ_e / E and the plastic strain together")
-              .without(""),
-          may_have("minimal_bonds", integer(p.minimal_bonds, 0))
-              .means("an element that has lost bonds and keeps fewer is removed: it loses the "
-                     "others and stays where it is")};
+Key minimal_bonds_key(RuptureParameters& p) {
+  return may_have("minimal_bonds", integer(p.minimal_bonds, 0))
+      .means(
+          "an element that has lost bonds and keeps fewer is removed: it loses the others and "
+          "stays where it is");
 }
 
-void finish_rupture(const Section& section, RuptureParameters& p, Reading& reading) {
-  if (!section.has("stress") && !section.has("strain"))
-    section.refuse("nothing says when a bond breaks", "stress or strain, or both");
-  const auto& beams = reading.setup.get<BeamParameters>();
-  if (!beams) return;  // refused as a whole
-  if (beams->precision == BeamParameters::Precision::mixed)
-    section.refuse("beams in mixed precision are elastic", "precision = \"double\" in [beams]");
-  if (p.stress) p.elastic_strain = *p.stress / beams->young_modulus;
+void read_rupture(const Value& value, Reading& reading) {
+  table([&](const Section& section) {
+    RuptureParameters p;
+    const auto& beams = reading.setup.get<BeamParameters>();
+    read_bond_law<RuptureLaws>(section, "law", {minimal_bonds_key(p)}, beams, p.law);
+    if (!beams) return;  // refused as a whole
+    if (beams->precision == BeamParameters::Precision::mixed)
+      section.refuse("beams in mixed precision are elastic", "precision = \"double\" in [beams]");
+    reading.setup.get<RuptureParameters>() = p;
+  }).read(value);
 }
 
 void plan_rupture(const Setup& setup, Plan& plan) {
@@ -156,22 +153,26 @@ void plan_rupture(const Setup& setup, Plan& plan) {
 }  // namespace
 
 EffectKind rupture_kind() {
-  EffectKind kind = single_kind<RuptureParameters>("rupture", rupture_keys, finish_rupture);
+  EffectKind kind;
+  kind.section = "rupture";
   kind.beside = "beams";
   kind.problem_alone = "there are no beams";
+  kind.is_named = [](const Setup& setup) { return setup.get<RuptureParameters>().has_value(); };
+  kind.read = read_rupture;
+  kind.visit_keys = [](const VisitKeys& visit) {
+    RuptureParameters p;
+    visit_law_keys<RuptureLaws>("rupture", "law", {minimal_bonds_key(p)}, visit);
+  };
   kind.plan = plan_rupture;
   kind.example =
       "[rupture]\n"
       "strain = 0.004\n"
       "minimal_bonds = 1\n";
   kind.explain = [](const Setup& setup, const Specimen&, nlohmann::ordered_json& values) {
-    const RuptureParameters& rupture = *setup.get<RuptureParameters>();
-    const auto number = [](const std::optional<double>& value) {
-      return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-    };
-    values["elastic_strain"] = number(rupture.elastic_strain);
-    values["strain"] = number(rupture.strain);
-    values["minimal_bonds"] = rupture.minimal_bonds;
+    const RuptureParameters& p = *setup.get<RuptureParameters>();
+    values["law"] = name_of(p.law);
+    values["minimal_bonds"] = p.minimal_bonds;
+    add_parameters(values, p.law);
   };
   return kind;
 }

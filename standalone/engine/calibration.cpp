@@ -236,23 +236,39 @@ class Search {
     return test;
   }
 
+  /// The parameters that are sought: those of one law each.
+  LinearHardening& hardening() {
+    if (auto* law = std::get_if<LinearHardening>(&found_.bonds.plasticity->hardening)) return *law;
+    throw InputError(
+        "calibrate: the hardening of [plasticity] is \"" +
+        name_of(found_.bonds.plasticity->hardening) +
+        "\", but only that of the law \"linear\" can be found; expected that one, or no "
+        "target of yield or of peak stress");
+  }
+  StrainLimit& rupture() {
+    if (auto* law = std::get_if<StrainLimit>(&found_.bonds.rupture->law)) return *law;
+    throw InputError("calibrate: the law of [rupture] is \"" + name_of(found_.bonds.rupture->law) +
+                     "\", but only the strain of \"strain-limit\" can be found; expected that one, "
+                     "or no target of rupture strain");
+  }
+
   void choose_start() {
     const CalibrationTargets& targets = request_.targets;
     BondParameters& bonds = found_.bonds;
     if (!bonds.plasticity && (targets.yield_stress || targets.peak_stress)) {
       bonds.plasticity = PlasticityParameters{};
-      bonds.plasticity->yield_strain =
+      hardening().yield_strain =
           yield_strain_share *
           targets.yield_stress.value_or(0.7 * targets.peak_stress.value_or(0)) /
           targets.young_modulus;
     }
-    if (targets.peak_stress && bonds.plasticity->hardening_ratio == 0)
-      bonds.plasticity->hardening_ratio = usual_hardening;
+    if (targets.peak_stress && hardening().hardening_ratio == 0)
+      hardening().hardening_ratio = usual_hardening;
     if (targets.rupture_strain) {
       if (!bonds.rupture) bonds.rupture = RuptureParameters{};
-      if (!bonds.rupture->strain)
-        bonds.rupture->strain = rupture_strain_share * 0.5 *
-                                ((*targets.rupture_strain)[0] + (*targets.rupture_strain)[1]);
+      if (!rupture_strain(bonds))
+        rupture().strain = rupture_strain_share * 0.5 *
+                           ((*targets.rupture_strain)[0] + (*targets.rupture_strain)[1]);
     }
   }
 
@@ -317,7 +333,6 @@ class Search {
   /// change.
   bool correct() {
     const CalibrationTargets& targets = request_.targets;
-    BondParameters& bonds = found_.bonds;
     Round now{Vector3d::Zero(), Vector3d::Zero()};
     std::array<bool, 3> sought{false, false, false};
     const auto seek = [&](int k, double parameter, double shown, double target, bool is_sought) {
@@ -329,14 +344,14 @@ class Search {
     const Spread peak = figure(&TensionFigures::peak_stress);
     const Spread rupture = figure(&TensionFigures::rupture_strain);
     if (targets.yield_stress && yield.count > 0)
-      seek(0, bonds.plasticity->yield_strain, yield.mean, *targets.yield_stress, true);
+      seek(0, hardening().yield_strain, yield.mean, *targets.yield_stress, true);
     if (targets.peak_stress && peak.count > 0)
-      seek(1, bonds.plasticity->hardening_ratio, peak.mean, *targets.peak_stress, true);
+      seek(1, hardening().hardening_ratio, peak.mean, *targets.peak_stress, true);
     if (targets.rupture_strain) {
       const auto [low, high] = *targets.rupture_strain;
       const double shown = rupture.count < bench_.size() ? 2 * high : rupture.mean;
       rupture_is_sought_ = rupture_is_sought_ || low == high || shown < low || shown > high;
-      seek(2, *bonds.rupture->strain, shown, 0.5 * (low + high), rupture_is_sought_);
+      seek(2, this->rupture().strain, shown, 0.5 * (low + high), rupture_is_sought_);
     }
     learn(now);
     Matrix3d slopes = slopes_;
@@ -349,9 +364,9 @@ class Search {
     if (!step.allFinite() || step.isZero()) return false;
     const double largest = step.cwiseAbs().maxCoeff();
     if (largest > longest_step) step *= longest_step / largest;
-    if (sought[0]) bonds.plasticity->yield_strain *= std::exp(step[0]);
-    if (sought[1]) bonds.plasticity->hardening_ratio *= std::exp(step[1]);
-    if (sought[2]) *bonds.rupture->strain *= std::exp(step[2]);
+    if (sought[0]) hardening().yield_strain *= std::exp(step[0]);
+    if (sought[1]) hardening().hardening_ratio *= std::exp(step[1]);
+    if (sought[2]) this->rupture().strain *= std::exp(step[2]);
     return true;
   }
 
@@ -401,12 +416,11 @@ class Search {
     if (lowest == nullptr) return "no specimen showed it in any round";
     const auto with = [](const CalibrationTrial& trial) {
       std::string text;
-      if (const auto& p = trial.bonds.plasticity)
-        text = fmt::format("yield_strain {:.4g}, hardening_ratio {:.4g}", p->yield_strain,
-                           p->hardening_ratio);
-      if (trial.bonds.rupture && trial.bonds.rupture->strain)
-        text += fmt::format("{}rupture strain {:.4g}", text.empty() ? "" : ", ",
-                            *trial.bonds.rupture->strain);
+      if (const LinearHardening* law = linear_hardening(trial.bonds))
+        text = fmt::format("yield_strain {:.4g}, hardening_ratio {:.4g}", law->yield_strain,
+                           law->hardening_ratio);
+      if (const std::optional<double> strain = rupture_strain(trial.bonds))
+        text += fmt::format("{}rupture strain {:.4g}", text.empty() ? "" : ", ", *strain);
       return text;
     };
     return fmt::format("the rounds gave {:.5g} ({}) to {:.5g} ({})", low, with(*lowest), high,

@@ -3,6 +3,7 @@
 #define SOLIDEM_ENGINE_TENSION_TEST_HPP
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "effects/setup.hpp"
@@ -17,6 +18,18 @@ struct BondParameters {
   std::optional<RuptureParameters> rupture;
   std::optional<ContactParameters> contact;
 };
+
+/// The hardening of bonds, if they flow and it is linear; else null.
+inline const LinearHardening* linear_hardening(const BondParameters& bonds) {
+  return bonds.plasticity ? std::get_if<LinearHardening>(&bonds.plasticity->hardening) : nullptr;
+}
+
+/// The strain at which bonds break, if there is one.
+inline std::optional<double> rupture_strain(const BondParameters& bonds) {
+  const auto* law = bonds.rupture ? std::get_if<StrainLimit>(&bonds.rupture->law) : nullptr;
+  return law != nullptr && law->strain < unlimited ? std::optional<double>(law->strain)
+                                                   : std::nullopt;
+}
 
 /// How a bar is pulled until it breaks.
 struct TensionTest {

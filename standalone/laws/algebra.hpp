@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Vectors, quaternions and rotation matrices over any scalar: `double`, a SIMD pack, a dual number.
-// A scalar needs + - * /, unary minus, a `sqrt` and an `abs` found by argument-dependent lookup;
-// and, where a law decides, `greater`, `either`, `any` and `select` (of a pack: lane by lane).
+// A scalar needs + - * /, unary minus, and `sqrt`, `abs`, `exp` and `log` found by
+// argument-dependent lookup; and, where a law decides, `greater`, `either`, `both`, `any` and
+// `select` (of a pack: lane by lane).
 #ifndef SOLIDEM_LAWS_ALGEBRA_HPP
 #define SOLIDEM_LAWS_ALGEBRA_HPP
 
@@ -15,6 +16,9 @@ constexpr bool greater(double a, double b) {
 }
 constexpr bool either(bool a, bool b) {
   return a || b;
+}
+constexpr bool both(bool a, bool b) {
+  return a && b;
 }
 constexpr bool any(bool a) {
   return a;

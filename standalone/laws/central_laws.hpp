@@ -5,8 +5,7 @@
 #ifndef SOLIDEM_LAWS_CENTRAL_LAWS_HPP
 #define SOLIDEM_LAWS_CENTRAL_LAWS_HPP
 
-#include <variant>
-
+#include "laws/law_table.hpp"
 #include "laws/lennard_jones.hpp"
 #include "laws/mie.hpp"
 #include "laws/piecewise.hpp"
@@ -14,16 +13,6 @@
 #include "laws/threshold.hpp"
 
 namespace solidem {
-
-template <class... Laws>
-struct LawTable {
-  using Any = std::variant<Laws...>;
-  /// Calls visit(Law{}) for each law of the table.
-  template <class Visit>
-  static void for_each(Visit&& visit) {
-    (visit(Laws{}), ...);
-  }
-};
 
 using CentralLaws = LawTable<Piecewise,            //
                              LennardJones,         //

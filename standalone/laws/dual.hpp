@@ -4,39 +4,58 @@
 
 #include <cmath>
 
+#include "laws/algebra.hpp"
+
 namespace solidem {
 
 /// A number and its derivative with respect to one variable. A law taken with it as its scalar
 /// gives its exact tangent beside its value.
-struct Dual {
-  double value = 0, derivative = 0;
+template <class Real>
+struct DualNumber {
+  Real value{0.0}, derivative{0.0};
 
-  constexpr Dual() = default;
-  constexpr Dual(double v, double d = 0) : value(v), derivative(d) {}  // NOLINT: constants convert
+  constexpr DualNumber() = default;
+  constexpr DualNumber(Real v, Real d = Real{0.0})  // NOLINT: constants convert
+      : value(v), derivative(d) {}
 
-  friend constexpr Dual operator+(Dual a, Dual b) {
+  friend constexpr DualNumber operator+(DualNumber a, DualNumber b) {
     return {a.value + b.value, a.derivative + b.derivative};
   }
-  friend constexpr Dual operator-(Dual a, Dual b) {
+  friend constexpr DualNumber operator-(DualNumber a, DualNumber b) {
     return {a.value - b.value, a.derivative - b.derivative};
   }
-  friend constexpr Dual operator*(Dual a, Dual b) {
+  friend constexpr DualNumber operator*(DualNumber a, DualNumber b) {
     return {a.value * b.value, a.value * b.derivative + a.derivative * b.value};
   }
-  friend constexpr Dual operator/(Dual a, Dual b) {
-    const double quotient = a.value / b.value;
+  friend constexpr DualNumber operator/(DualNumber a, DualNumber b) {
+    const Real quotient = a.value / b.value;
     return {quotient, (a.derivative - quotient * b.derivative) / b.value};
   }
-  friend constexpr Dual operator-(Dual a) { return {-a.value, -a.derivative}; }
-  friend Dual sqrt(Dual a) {
-    const double root = std::sqrt(a.value);
+  friend constexpr DualNumber operator-(DualNumber a) { return {-a.value, -a.derivative}; }
+  friend DualNumber sqrt(DualNumber a) {
+    using std::sqrt;
+    const Real root = sqrt(a.value), none{0.0};
     // Where a root starts, its derivative is taken as none: laws use roots of sums of squares.
-    return {root, root > 0 ? a.derivative / (2 * root) : 0.0};
+    return {root, select(greater(root, none), a.derivative / (Real{2.0} * root), none)};
   }
-  friend Dual abs(Dual a) { return a.value < 0 ? -a : a; }
-  friend constexpr bool greater(Dual a, Dual b) { return a.value > b.value; }
-  friend constexpr Dual select(bool condition, Dual a, Dual b) { return condition ? a : b; }
+  friend DualNumber exp(DualNumber a) {
+    using std::exp;
+    const Real power = exp(a.value);
+    return {power, power * a.derivative};
+  }
+  friend DualNumber log(DualNumber a) {
+    using std::log;
+    return {log(a.value), a.derivative / a.value};
+  }
+  friend DualNumber abs(DualNumber a) { return select(greater(Real{0.0}, a.value), -a, a); }
+  friend constexpr auto greater(DualNumber a, DualNumber b) { return greater(a.value, b.value); }
+  template <class Condition>
+  friend constexpr DualNumber select(Condition condition, DualNumber a, DualNumber b) {
+    return {select(condition, a.value, b.value), select(condition, a.derivative, b.derivative)};
+  }
 };
+
+using Dual = DualNumber<double>;
 
 }  // namespace solidem
 

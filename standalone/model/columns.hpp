@@ -115,6 +115,15 @@ inline constexpr Column plastic_twist{"plastic_twist", Site::slot,   Layout::lan
                                       "rad",           "of the beam"};
 inline constexpr Column plastic_strain{
     "plastic_strain", Site::slot, Layout::lanes, 1, 1, true, "1", "of the beam, equivalent"};
+inline constexpr Column limit_strain{
+    "limit_strain",
+    Site::slot,
+    Layout::lanes,
+    1,
+    1,
+    true,
+    "1",
+    "equivalent, up to which the beam surely neither flows nor breaks"};
 inline constexpr Column plastic_work{"plastic_work",
                                      Site::element,
                                      Layout::lanes,

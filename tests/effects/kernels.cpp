@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "effects/beams.hpp"
 #include "laws/rigid_sphere.hpp"
-#include "support/specimens.hpp"
+#include "support/beams.hpp"
 
 namespace solidem {
 
@@ -36,11 +37,17 @@ void disturb(Model& model, double size) {
 using Law = BeamParameters::Law;
 using RadiusFrom = BeamParameters::RadiusFrom;
 
+/// What bonds do besides being elastic.
+struct Inelastic {
+  std::optional<PlasticityParameters> plasticity;
+  std::optional<RuptureParameters> rupture;
+};
+
 struct Variant {
   Law law;
   RadiusFrom radius_from;
   bool periodic;
-  BeamFlow flow;
+  Inelastic inelastic;
 };
 
 // Of the order of the strains that the elements are given: some bonds flow and some break.
@@ -51,14 +58,8 @@ Setup setup_of(const Variant& variant) {
   setup.get<BeamParameters>()->law = variant.law;
   if (variant.law == Law::spring) setup.get<BeamParameters>()->shear_modulus = 0;
   setup.get<BeamParameters>()->radius_from = variant.radius_from;
-  if (variant.flow != BeamFlow::none)
-    setup.get<RuptureParameters>() = RuptureParameters{{}, break_strain, 0};
-  if (variant.flow == BeamFlow::radial_return)
-    setup.get<PlasticityParameters>() =
-        PlasticityParameters{PlasticityParameters::Law::radial_return, 0.005, 0.1};
-  if (variant.flow == BeamFlow::scaled_offset)
-    setup.get<PlasticityParameters>() =
-        PlasticityParameters{PlasticityParameters::Law::scaled_offset, 0.005, 0.1};
+  setup.get<PlasticityParameters>() = variant.inelastic.plasticity;
+  setup.get<RuptureParameters>() = variant.inelastic.rupture;
   return setup;
 }
 
@@ -104,6 +105,8 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
           largest_spin, norm(seen.motion.moment[i]) * model.data(columns::inverse_inertia)[i]);
   }
   ASSERT_GT(largest, 0);
+  const bool flows = variant.inelastic.plasticity.has_value();
+  const bool may_break = variant.inelastic.rupture.has_value();
 
   // What the law says of every slot.
   std::map<std::uint32_t, Beams::Bond> bonds;
@@ -114,15 +117,14 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
     const Beams::Bond bond = beams.bond(model, i, j, row, lane);
     bonds.emplace(at, bond);
     if (bond.response.plastic_work > 0) ++flowing;
-    if (variant.flow != BeamFlow::none &&
-        breaks<double>({1e300, break_strain}, bond.response.strain, bond.response.history.strain))
+    if (may_break && breaks(variant.inelastic.rupture->law, bond.response.strains))
       expected_breaking.push_back(at);
   });
-  if (remembers(variant.flow)) {
+  if (flows) {
     EXPECT_GT(flowing, bonds.size() / 10);
     EXPECT_LT(flowing, bonds.size());
   }
-  if (variant.flow != BeamFlow::none) {
+  if (may_break) {
     EXPECT_GT(expected_breaking.size(), 0u);
     EXPECT_LT(expected_breaking.size(), bonds.size());
   }
@@ -151,14 +153,19 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
       for (std::size_t k = 0; k < 8; ++k)
         EXPECT_NEAR(model.next(columns::pose)[8 * i + k], model.data(columns::pose)[8 * i + k],
                     1e-15);
-      if (remembers(variant.flow)) work += model.data(columns::plastic_work)[i];
+      if (flows) work += model.data(columns::plastic_work)[i];
     }
     EXPECT_NEAR(work, seen.energies.of("plastic_work"), 1e-12 * seen.energies.of("elastic_energy"));
-    if (!remembers(variant.flow)) continue;
+    if (!flows) continue;
     for (const auto& [index, bond] : bonds) {
       const Slots::Place place = Slots::place_of(index);
       const BeamHistory<double>& history = bond.response.history;
       EXPECT_NEAR(model.data(columns::plastic_strain)[index], history.strain, 1e-13);
+      EXPECT_NEAR(
+          model.data(columns::limit_strain)[index],
+          limit_strain(&variant.inelastic.plasticity->hardening, variant.inelastic.plasticity->law,
+                       &variant.inelastic.rupture->law, history.strain),
+          1e-13);
       EXPECT_NEAR(model.data(columns::plastic_extension)[index], history.extension,
                   1e-13 * bond.rest_length());
       if (!turning) continue;
@@ -170,14 +177,35 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
   }
 }
 
+/// Every yield law by either rule, and every rupture law.
+std::vector<Inelastic> inelastic_kinds() {
+  VoceHardening voce;
+  voce.yield_strain = 0.005;
+  voce.saturation_strain = 0.003;
+  voce.plastic_scale = 0.004;
+  MohrCoulombRupture mohr_coulomb;
+  mohr_coulomb.tensile_strain = 0.012;
+  mohr_coulomb.cohesion_strain = 0.008;
+  mohr_coulomb.friction_coefficient = 0.5;
+  MohrCoulombRupture mohr_coulomb_of_flowing = mohr_coulomb;
+  mohr_coulomb_of_flowing.tensile_strain = 0.0055;
+  const RuptureParameters at_strain = breaking_at_strain(break_strain);
+  std::vector<Inelastic> all{{{}, {}}, {{}, at_strain}, {{}, RuptureParameters{mohr_coulomb}}};
+  for (const FlowRule rule : {FlowRule::radial_return, FlowRule::scaled_offset})
+    for (const YieldLaw& law : {YieldLaw{LinearHardening{0.005, 0.1}}, YieldLaw{voce}})
+      for (const RuptureParameters& rupture :
+           {at_strain, RuptureParameters{mohr_coulomb_of_flowing}})
+        all.push_back({PlasticityParameters{rule, law}, rupture});
+  return all;
+}
+
 std::vector<Variant> variants() {
   std::vector<Variant> all;
   for (const Law law : {Law::euler_bernoulli, Law::timoshenko, Law::spring})
     for (const RadiusFrom radius_from : {RadiusFrom::mean, RadiusFrom::pair})
       for (const bool periodic : {false, true})
-        for (const BeamFlow flow :
-             {BeamFlow::none, BeamFlow::brittle, BeamFlow::radial_return, BeamFlow::scaled_offset})
-          all.push_back({law, radius_from, periodic, flow});
+        for (const Inelastic& inelastic : inelastic_kinds())
+          all.push_back({law, radius_from, periodic, inelastic});
   return all;
 }
 

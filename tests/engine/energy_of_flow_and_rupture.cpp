@@ -116,8 +116,7 @@ TEST_P(EnergyOfRupture, is_accounted_for_the_better_the_finer_the_step) {
   double share = 0, broken = 0;
   for (const int halvings : {0, 1, 2, 3, 4}) {
     auto setup = flows ? yielding_setup(2e-3, 0.01) : beam_setup();
-    setup.get<RuptureParameters>() = RuptureParameters{};
-    setup.get<RuptureParameters>()->strain = flows ? 0.01 : 0.004;
+    setup.get<RuptureParameters>() = breaking_at_strain(flows ? 0.01 : 0.004);
     setup.get<ContactParameters>() = ContactParameters{};
     const auto owner = struck_bar(setup, 0.4 / (1 << halvings), 100);
     Simulation& simulation = *owner;
@@ -147,8 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, EnergyOfRupture, testing::Bool());
 TEST(EnergyOfRupture, of_one_bond_is_what_it_stored) {
   // Drawn slowly to its limit, a bond of length l holds ½ E S l ε² when it breaks.
   auto setup = beam_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->elastic_strain = 0.01;
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(0.01);
   setup.run.time_step = 1e-9;
   setup.all<GripParameters>() = {hold("left", face(0, false)), pull("right", face(0, true), 0.5)};
   Simulation simulation(setup, row_of(2));

@@ -39,9 +39,10 @@ Setup crash(HeatLaw law, HeatIntegratorName integrator) {
   setup.get<ContactParameters>() = ContactParameters{};
   setup.get<ContactParameters>()->rebonding_pressure = 1e9;
   setup.all<GripParameters>() = {hold("left", face(0, false))};
-  setup.all<ImposedTemperatureParameters>().push_back({"hot", face(0, false), TimeFunction::constant(800)});
+  setup.all<ImposedTemperatureParameters>().push_back(
+      {"hot", face(0, false), TimeFunction::constant(800)});
   setup.all<InitialVelocity>() = {{between(1.4e-3, 2.1e-3), {160, 20, 0}},
-                              {between(2.1e-3, 1), {-210, 0, 30}}};
+                                  {between(2.1e-3, 1), {-210, 0, 30}}};
   setup.run.time_step_ratio = 0.3;
   return setup;
 }
@@ -164,8 +165,9 @@ struct Chain {
     setup.get<ConductionParameters>()->broken_bonds = choice;
     setup.get<RuptureParameters>() = RuptureParameters{};
     setup.get<RuptureParameters>()->strain = 0.01;
-    setup.all<ImposedTemperatureParameters>() = {{"hot", face(0, false), TimeFunction::constant(400)},
-                          {"cold", face(0, true), TimeFunction::constant(300)}};
+    setup.all<ImposedTemperatureParameters>() = {
+        {"hot", face(0, false), TimeFunction::constant(400)},
+        {"cold", face(0, true), TimeFunction::constant(300)}};
     setup.run.time_step_ratio = 0.3;
     simulation = std::make_unique<Simulation>(setup, row_of(3));
     const PlatonicElement end{hand_radius, 1}, middle{hand_radius, 2};

@@ -14,7 +14,7 @@ namespace {
 /// A row whose two halves fly apart, so that its bond in the middle breaks.
 Setup flying_apart(int minimal_bonds) {
   auto setup = elastic_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{{}, 0.01, minimal_bonds};
+  setup.get<RuptureParameters>() = breaking_at_strain(0.01, minimal_bonds);
   for (const bool high : {false, true}) {
     InitialVelocity initial;
     initial.region.kind = Region::Kind::box;
@@ -72,7 +72,7 @@ TEST(RemovalOfElements, loses_no_energy_unseen) {
 TEST(RemovalOfElements, never_happens_to_those_that_lost_nothing) {
   // The ends of the row have one bond from the beginning.
   auto setup = flying_apart(2);
-  setup.get<RuptureParameters>()->strain = 0.5;
+  setup.get<RuptureParameters>() = breaking_at_strain(0.5, 2);
   Simulation simulation(setup, row_of(10));
   simulation.advance(60);
   EXPECT_EQ(simulation.find<Rupture>()->removed(), 0u);

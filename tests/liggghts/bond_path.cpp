@@ -2,7 +2,7 @@
 //
 // One bond led through poses by the laws themselves: what the bond style must do too.
 //
-//   bond_path law radius kappa young shear plasticity yield_strain hardening_ratio < poses
+//   bond_path law radius kappa young shear plasticity hardening [parameter value ...] < poses
 //
 // A line of the input: positions and orientations (w x y z) of atom 1 and atom 2; the first is the
 // pose in which the bond is made. A line of the output, for each pose but the first: force on atom
@@ -11,8 +11,10 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <variant>
 
 #include "laws/beam_plasticity.hpp"
+#include "laws/yield_laws.hpp"
 
 namespace {
 
@@ -35,10 +37,23 @@ void print(const solidem::Vector3<double>& a) {
   std::printf("%.17g %.17g %.17g ", a.x, a.y, a.z);
 }
 
+/// The yield law of this name, with parameters from pairs of words.
+solidem::YieldLaw yield_law(const std::string& name, char** words) {
+  solidem::YieldLaw result;
+  solidem::YieldLaws::for_each([&](auto law) {
+    if (name != law.name) return;
+    for (char** word = words; *word != nullptr; word += 2)
+      for (const auto& parameter : law.parameters())
+        if (parameter.name == std::string(*word)) law.*parameter.member = std::atof(word[1]);
+    result = law;
+  });
+  return result;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 9) return 1;
+  if (argc < 8 || argc % 2 != 0) return 1;
   const std::string law = argv[1], plasticity = argv[6];
   const double radius = std::atof(argv[2]), kappa = std::atof(argv[3]);
   const solidem::BeamSection<double> section = {std::atof(argv[4]), std::atof(argv[5]), radius};
@@ -53,15 +68,19 @@ int main(int argc, char** argv) {
   beam.rest_length = length;
   if (law != "spring")
     beam.radius = radius, beam.shear_ratio = std::atof(argv[5]) / std::atof(argv[4]);
-  beam.yield = {std::atof(argv[7]), std::atof(argv[8])};
+  const solidem::YieldLaw hardening = yield_law(argv[7], argv + 8);
   solidem::BeamHistory<double> history = solidem::unyielded(rest_direction);
   double work = 0;
   while (read(pose)) {
-    const solidem::BeamResponse<double> response =
-        plasticity == "scaled-offset"
-            ? solidem::scaled_offset_response(beam, history, rest_direction, pose.chord, pose.first,
-                                              pose.second)
-            : solidem::radial_return_response(beam, history, pose.chord, pose.first, pose.second);
+    const auto respond = [&](const auto& known) {
+      const solidem::YieldCurve<std::decay_t<decltype(known)>, double> yield{known};
+      if (plasticity == "scaled-offset")
+        return solidem::scaled_offset_response(yield, beam, history, rest_direction, pose.chord,
+                                               pose.first, pose.second);
+      return solidem::radial_return_response(yield, beam, history, pose.chord, pose.first,
+                                             pose.second);
+    };
+    const solidem::BeamResponse<double> response = std::visit(respond, hardening);
     history = response.history;
     work += response.plastic_work;
     const auto kept =

@@ -48,6 +48,34 @@ WRONG = {
         BEAM.replace("0.3", "0.3 plasticity radial-return 1e6"),
         "'the hardening modulus' is missing",
     ),
+    "unknown hardening": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return ludvik yield_strain 1e-3"),
+        "unknown hardening 'ludvik'; known are linear, voce",
+    ),
+    "hardening without a parameter": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return voce yield_strain 1e-3 plastic_scale 1"),
+        "voce needs saturation_strain or saturation_stress",
+    ),
+    "negative yield strain": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return linear yield_strain -1"),
+        "yield_strain must be positive, not -1",
+    ),
+    "rupture law without a parameter": (
+        BEAM.replace("0.3", "0.3 rupture mohr-coulomb tensile_strain 1e-3"),
+        "mohr-coulomb needs cohesion_strain or cohesion",
+    ),
+    "rupture law that never breaks": (
+        BEAM.replace("0.3", "0.3 rupture strain-limit"),
+        "strain-limit: nothing says when a bond breaks",
+    ),
+    "two rupture laws": (
+        BEAM.replace("0.3", "0.3 rupture mohr-coulomb tensile_strain 1 cohesion 1 rupture_strain 1"),
+        "rupture_strain does not go with another rupture law",
+    ),
+    "parameter given twice": (
+        BEAM.replace("0.3", "0.3 rupture strain-limit strain 1 strain 2"),
+        "strain of strain-limit is given twice",
+    ),
     "rupture at no strain": (
         BEAM.replace("0.3", "0.3 rupture_strain 0"),
         "rupture_strain must be positive, not 0",

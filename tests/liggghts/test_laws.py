@@ -58,26 +58,49 @@ def test_elastic_laws(liggghts: Liggghts, laws: Path, tmp_path: Path, law: str) 
     assert np.abs(found.figures["stress"] - stress).max() <= 1e-12 * stress.max()
 
 
+# How the bond style is told of a yield law, and its parameters.
+HARDENING_WORDS = {
+    "linear, without names": (f"{YIELD_STRAIN * YOUNG:.17g} {HARDENING * YOUNG:.17g}", "linear",
+                              {"yield_strain": YIELD_STRAIN, "hardening_ratio": HARDENING}),
+    "linear": (f"linear hardening_ratio {HARDENING} yield_stress {YIELD_STRAIN * YOUNG:.17g}",
+               "linear", {"yield_strain": YIELD_STRAIN, "hardening_ratio": HARDENING}),
+    "voce": (f"voce yield_strain {YIELD_STRAIN} saturation_strain 0.003 plastic_scale 0.008",
+             "voce", {"yield_strain": YIELD_STRAIN, "saturation_strain": 0.003,
+                      "plastic_scale": 0.008}),
+}
+
+
+@pytest.mark.parametrize("hardening", HARDENING_WORDS)
 @pytest.mark.parametrize("plasticity", ["radial-return", "scaled-offset"])
 @pytest.mark.parametrize("law", LAW_WORDS)
 def test_plastic_flow(
-    liggghts: Liggghts, laws: Path, tmp_path: Path, law: str, plasticity: str
+    liggghts: Liggghts, laws: Path, tmp_path: Path, law: str, plasticity: str, hardening: str
 ) -> None:
     poses = wandering(60, 0.01)
-    words = f"{COEFFICIENTS} {LAW_WORDS[law]} plasticity {plasticity} "
-    words += f"{YIELD_STRAIN * YOUNG:.17g} {HARDENING * YOUNG:.17g}"
+    words, name, parameters = HARDENING_WORDS[hardening]
+    words = f"{COEFFICIENTS} {LAW_WORDS[law]} plasticity {plasticity} {words}"
     found = by_the_style(liggghts, tmp_path, words, poses, one_step=True)
-    expected = by_the_laws(laws, poses, law, plasticity, YIELD_STRAIN, HARDENING)
+    expected = by_the_laws(laws, poses, law, plasticity, name, **parameters)
     strain = expected.figures["plastic_strain"]
     assert strain[-1] > 5 * YIELD_STRAIN
     assert 5 < (np.diff(strain) > 0).sum() < 55, "it must flow and unload"
     error = np.abs((found.loads - expected.loads) / SCALE).max()
-    print(f"{law}, {plasticity}: largest error of the loads {error:.1e} E S")
+    print(f"{law}, {plasticity}, {hardening}: largest error of the loads {error:.1e} E S")
     assert error <= 1e-14
-    for name in ("stress", "plastic_strain", "energy", "plastic_work"):
-        values = expected.figures[name]
-        assert np.abs(found.figures[name] - values).max() <= 1e-12 * np.abs(values).max(), name
+    for figure in ("stress", "plastic_strain", "energy", "plastic_work"):
+        values = expected.figures[figure]
+        assert np.abs(found.figures[figure] - values).max() <= 1e-12 * np.abs(values).max(), figure
     assert found.totals[:, 0] == pytest.approx(expected.figures["plastic_work"], rel=1e-12)
+
+
+@pytest.mark.parametrize("extension, broken", [(2.9e-3, 0), (3.1e-3, 1), (-3.1e-3, 0), (-0.1, 0)])
+def test_mohr_coulomb_breaks_in_tension_but_not_under_pressure(
+    liggghts: Liggghts, tmp_path: Path, extension: float, broken: int
+) -> None:
+    words = f"{COEFFICIENTS} rupture mohr-coulomb tensile_strength {3e-3 * YOUNG:.17g} "
+    words += "cohesion_strain 4e-3 friction_coefficient 0.6"
+    found = by_the_style(liggghts, tmp_path, words, stretched(extension), one_step=True)
+    assert found.totals[0, BROKEN] == broken
 
 
 def test_a_second_look_changes_nothing(liggghts: Liggghts, tmp_path: Path) -> None:

@@ -121,12 +121,14 @@ def last_row(file: Path) -> list[float]:
 
 
 def by_the_laws(program: Path, poses: list[Pose], law: str, plasticity: str = "radial-return",
-                yield_strain: float = 1e300, hardening: float = 0.0) -> Course:
+                hardening: str = "linear", **parameters: float) -> Course:
     """The same by tests/liggghts/bond_path.cpp."""
     made = Pose(START, np.tile(UNTURNED, (2, 1)))
     lines = [f"{numbers(p.position[k])} {numbers(p.orientation[k])}"
              for p in [made, *poses] for k in (0, 1)]
-    words = [law, BEAM_RADIUS, KAPPA, YOUNG, SHEAR, plasticity, yield_strain, hardening]
+    parameters = parameters or {"yield_strain": 1e300}
+    words = [law, BEAM_RADIUS, KAPPA, YOUNG, SHEAR, plasticity, hardening]
+    words += [word for pair in parameters.items() for word in pair]
     done = subprocess.run([program, *map(str, words)], input="\n".join(lines), text=True,
                           capture_output=True, check=True)
     rows = np.array([line.split() for line in done.stdout.splitlines()], dtype=float)

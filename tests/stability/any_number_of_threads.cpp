@@ -14,8 +14,7 @@ namespace {
 /// A bar hit at both ends so that it flows and breaks in many places at once, and closes again.
 Setup shattered(FlowLaw flow, BeamLaw law) {
   auto setup = yielding_setup(2e-3, 0.01, flow, law);
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->strain = 0.02;
+  setup.get<RuptureParameters>() = breaking_at_strain(0.02);
   setup.get<RuptureParameters>()->minimal_bonds = 2;
   setup.get<ContactParameters>() = ContactParameters{};
   setup.get<ContactParameters>()->rebonding_pressure = 2e10;

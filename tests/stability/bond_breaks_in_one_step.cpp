@@ -30,9 +30,8 @@ Setup setup_of(int kind) {
   if (kind >= radial_return_law)
     setup = yielding_setup(
         2e-3, 0.01, kind == radial_return_law ? FlowLaw::radial_return : FlowLaw::scaled_offset);
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  (kind == brittle_by_stress ? setup.get<RuptureParameters>()->elastic_strain
-                             : setup.get<RuptureParameters>()->strain) = 0.01;
+  setup.get<RuptureParameters>() =
+      kind == brittle_by_stress ? breaking_at_elastic_strain(0.01) : breaking_at_strain(0.01);
   setup.run.time_step_ratio = 0.3;
   return setup;
 }

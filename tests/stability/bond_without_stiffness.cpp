@@ -72,8 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, BondWithoutStiffness,
 TEST(BondWithoutStiffness, that_is_broken_is_no_bond) {
   // Broken in the first step, a bond leaves its elements to fly on.
   auto setup = beam_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->elastic_strain = 1e-9;
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(1e-9);
   setup.run.time_step_ratio = 0.01;
   const std::unique_ptr<Simulation> simulation(drifting(setup, row_of(3)));
   simulation->advance(2);

@@ -15,8 +15,7 @@ constexpr double stiffness = 3.5e12;
 /// displacements at thousands of steps.
 Setup led(const std::vector<double>& places, bool touches = true) {
   auto setup = beam_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->elastic_strain = 0.01;
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(0.01);
   if (touches) setup.get<ContactParameters>() = ContactParameters{};
   setup.run.time_step = 1e-9;
   auto right = hold("right", face(0, true));
@@ -89,8 +88,7 @@ TEST(BrokenLips, of_an_overlapping_body_are_not_ejected) {
   Specimen body = make_specimen(recipe);
   for (double& radius : body.radius) radius *= 1.05;  // bonds stay those of the packing
   auto setup = beam_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->elastic_strain = 0.004;
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(0.004);
   setup.get<ContactParameters>() = ContactParameters{};
   setup.all<GripParameters>() = {hold("left", face(0, false, 1.5)),
                                  pull("right", face(0, true, 1.5), 5)};
@@ -118,8 +116,7 @@ TEST(BrokenLips, of_an_overlapping_body_are_not_ejected) {
 /// Tears a bar in two, then pushes the parts together by a tenth of its length.
 double overlap_after_closing(bool touches) {
   auto setup = beam_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->elastic_strain = 0.004;
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(0.004);
   if (touches) setup.get<ContactParameters>() = ContactParameters{};
   const Specimen body = crystal("simple_cubic", {8, 3, 3});
   const double R = hand_radius;
@@ -151,8 +148,7 @@ TEST(BrokenLips, that_meet_at_speed_bounce_and_keep_their_energy) {
   // A pair flies at each other; its bond breaks at once, and a contact of the same stiffness takes
   // the blow and gives it back.
   auto setup = beam_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->elastic_strain = 1e-7;
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(1e-7);
   setup.get<ContactParameters>() = ContactParameters{};
   setup.run.time_step_ratio = 0.02;
   Simulation simulation(setup, row_of(2));
@@ -180,8 +176,7 @@ TEST(BrokenLips, that_break_while_pressed_go_on_pushing_without_new_energy) {
   // energy that it held.
   for (const double ratio : {0.1, 0.02}) {
     auto setup = beam_setup();
-    setup.get<RuptureParameters>() = RuptureParameters{};
-    setup.get<RuptureParameters>()->elastic_strain = 0.01;
+    setup.get<RuptureParameters>() = breaking_at_elastic_strain(0.01);
     setup.get<ContactParameters>() = ContactParameters{};
     setup.run.time_step_ratio = ratio;
     Simulation simulation(setup, row_of(2));

@@ -32,8 +32,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 Setup setup_of(const Case& c) {
   auto setup = c.flows ? yielding_setup() : beam_setup();
   if (c.breaks) {
-    setup.get<RuptureParameters>() = RuptureParameters{};
-    setup.get<RuptureParameters>()->strain = 0.2;
+    setup.get<RuptureParameters>() = breaking_at_strain(0.2);
   }
   setup.all<GripParameters>() = {hold("left", face(0, false))};
   setup.all<InitialVelocity>().push_back({face(0, true), {0.1, 0.05, 0}});

@@ -18,8 +18,7 @@ namespace {
 /// A bar that is drawn until it tears, then pushed back together.
 Setup torn_and_pushed(FlowLaw flow, bool rebonds, std::int64_t steps, double step) {
   auto setup = yielding_setup(2e-3, 0.01, flow);
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->strain = 0.02;
+  setup.get<RuptureParameters>() = breaking_at_strain(0.02);
   setup.get<ContactParameters>() = ContactParameters{};
   if (rebonds) setup.get<ContactParameters>()->rebonding_pressure = 1e9;
   const double end = static_cast<double>(steps) * step;

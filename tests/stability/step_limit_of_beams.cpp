@@ -56,9 +56,8 @@ struct Case {
     setup.get<BeamParameters>()->radius_from = radius_from;
     if (mixed) setup.get<BeamParameters>()->precision = BeamParameters::Precision::mixed;
     if (limited) {
-      setup.get<PlasticityParameters>() = PlasticityParameters{flow, 2e-3, 0.01};
-      setup.get<RuptureParameters>() = RuptureParameters{};
-      setup.get<RuptureParameters>()->strain = 0.1;
+      setup.get<PlasticityParameters>() = PlasticityParameters{flow, LinearHardening{2e-3, 0.01}};
+      setup.get<RuptureParameters>() = breaking_at_strain(0.1);
       setup.get<ContactParameters>() = ContactParameters{};
     }
     return setup;
@@ -109,8 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(StepLimitOfBeams, is_found_without_a_trace) {
   auto setup = yielding_setup(1e-9);
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->elastic_strain = 2e-9;
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(2e-9);
   const Simulation simulation(setup, random_bar(100));
   EXPECT_GT(simulation.time_step().limit, 0);
   EXPECT_EQ(seen(simulation, "plastic_work"), 0);
@@ -153,8 +151,7 @@ TEST(StepLimitOfBeams, holds_while_the_body_flows) {
 TEST(StepLimitOfBeams, counts_stiff_contacts) {
   // Two elements whose bond is broken and that meet: the contact is 25 times as stiff as the bond.
   auto setup = beam_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->elastic_strain = 1e-3;
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(1e-3);
   setup.get<ContactParameters>() = ContactParameters{};
   setup.get<ContactParameters>()->stiffness_ratio = 25;
   const Specimen two = row_of(2);

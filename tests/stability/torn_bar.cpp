@@ -24,8 +24,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 Setup breaking_setup(const Case& c) {
   auto setup = c.flows ? yielding_setup(2e-3, 0.007) : beam_setup();
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->strain = c.flows ? 0.03 : 0.01;
+  setup.get<RuptureParameters>() = breaking_at_strain(c.flows ? 0.03 : 0.01);
   if (c.touches) setup.get<ContactParameters>() = ContactParameters{};
   return setup;
 }

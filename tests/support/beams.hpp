@@ -70,8 +70,23 @@ inline Setup yielding_setup(double yield_strain = 2e-3, double hardening_ratio =
                             FlowLaw flow = FlowLaw::radial_return,
                             BeamLaw law = BeamLaw::euler_bernoulli) {
   auto setup = beam_setup(law);
-  setup.get<PlasticityParameters>() = PlasticityParameters{flow, yield_strain, hardening_ratio};
+  setup.get<PlasticityParameters>() =
+      PlasticityParameters{flow, LinearHardening{yield_strain, hardening_ratio}};
   return setup;
+}
+
+/// Bonds that break at a strain, elastic and plastic together.
+inline RuptureParameters breaking_at_strain(double strain, int minimal_bonds = 0) {
+  StrainLimit law;
+  law.strain = strain;
+  return {law, minimal_bonds};
+}
+
+/// Bonds that break at an equivalent stress over E.
+inline RuptureParameters breaking_at_elastic_strain(double elastic_strain) {
+  StrainLimit law;
+  law.elastic_strain = elastic_strain;
+  return {law};
 }
 
 /// The elements of a box that is open along y and z.

@@ -101,6 +101,10 @@ def test_the_native_law_neither_flows_nor_breaks(bar: Bar, tmp_path: Path, laws:
     ({"rupture": {"elastic_strain": None, "strain": 0.2, "minimal_bonds": 3}}, "minimal_bonds"),
     ({"rupture": {"elastic_strain": None, "strain": 0.2, "minimal_bonds": 0},
       "contact": {"stiffness_ratio": 1.0, "rebonding_pressure": None}}, "[contact]"),
+    ({"plasticity": {"law": "radial-return", "hardening": "voce", "yield_strain": 1e-3,
+                     "saturation_strain": 1e-3, "plastic_scale": 0.01}}, "hardening \"voce\""),
+    ({"rupture": {"law": "mohr-coulomb", "tensile_strain": 1e-3, "cohesion_strain": 1e-3,
+                  "friction_coefficient": 0.5, "minimal_bonds": 0}}, "law \"mohr-coulomb\""),
 ])
 def test_what_scripted_beams_leave_out(bar: Bar, tmp_path: Path, laws: dict[str, Any],
                                        words: str) -> None:

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "laws/contact.hpp"
 
@@ -94,8 +95,8 @@ SolidemBondAction SolidemBeam::act_near_limit(double* memory, const SolidemBondE
                                               double step, bool energies) const {
   SolidemBondAction action;
   if (plasticity == NONE || memory[Row::FLOW] != step + 1.0) {
-    const double strain = flow(memory, ends, bond, now, step);
-    action.breaks = solidem::breaks(rupture, strain, memory[Row::PLASTIC_STRAIN]);
+    const solidem::BondStrain<double> strain = flow(memory, ends, bond, now, step);
+    action.breaks = breaks && solidem::breaks(rupture, strain);
   }
   action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);
   if (energies || action.breaks)
@@ -109,25 +110,37 @@ SolidemBondAction SolidemBeam::act_near_limit(double* memory, const SolidemBondE
   return action;
 }
 
+// What the laws answer; nothing is remembered.
+solidem::BeamResponse<double> SolidemBeam::response(const double* memory,
+                                                    const SolidemBondEnds& ends,
+                                                    const YieldingBeam<double>& bond,
+                                                    const State& now) const {
+  const BeamHistory<double> before = history(memory);
+  if (plasticity == NONE) return solidem::elastic_response(bond, before, now.pose, now.deformation);
+  return std::visit(
+      [&](const auto& known) {
+        const solidem::YieldCurve<std::decay_t<decltype(known)>, double> yield{known};
+        if (plasticity == RADIAL_RETURN)
+          return solidem::radial_return_response(yield, bond, before, ends.chord,
+                                                 ends.orientation_i, ends.orientation_j);
+        return solidem::scaled_offset_response(yield, bond, before,
+                                               solidem_vector(memory + Row::REST_DIRECTION),
+                                               ends.chord, ends.orientation_i, ends.orientation_j);
+      },
+      hardening);
+}
+
 /* ----------------------------------------------------------------------
-   plastic flow, if any; the equivalent strain that is left. The load that acts
-   is that of the shape remembered afterwards, so that a second look at the pose
-   finds the same
+   plastic flow, if any; the strain that is left. The load that acts is that of
+   the shape remembered afterwards, so that a second look at the pose finds the
+   same
 ------------------------------------------------------------------------- */
 
-double SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
-                         const YieldingBeam<double>& bond, State& now, double step) const {
-  if (plasticity == NONE)
-    return solidem::equivalent_strain(bond.radius, bond.shear_ratio, now.pose, now.deformation);
-  const BeamHistory<double> before = history(memory);
-  const solidem::BeamResponse<double> response =
-      plasticity == RADIAL_RETURN
-          ? solidem::radial_return_response(bond, before, ends.chord, ends.orientation_i,
-                                            ends.orientation_j)
-          : solidem::scaled_offset_response(bond, before,
-                                            solidem_vector(memory + Row::REST_DIRECTION),
-                                            ends.chord, ends.orientation_i, ends.orientation_j);
-  if (!(response.history.strain > before.strain)) return response.strain;
+solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
+                                              const YieldingBeam<double>& bond, State& now,
+                                              double step) const {
+  const solidem::BeamResponse<double> response = this->response(memory, ends, bond, now);
+  if (!(response.history.strain > memory[Row::PLASTIC_STRAIN])) return response.strains;
 
   store(memory + Row::NORMAL_I, response.history.normal_i);
   store(memory + Row::NORMAL_J, response.history.normal_j);
@@ -137,7 +150,7 @@ double SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
   memory[Row::PLASTIC_WORK] += response.plastic_work;
   memory[Row::FLOW] = step + 1.0;
   now = state(memory, ends, bond.rest_length);
-  return response.strain;
+  return response.strains;
 }
 
 // The push of two atoms whose bond broke, and the energy in it.

@@ -10,12 +10,14 @@
 #ifndef LMP_SOLIDEM_BEAM_H
 #define LMP_SOLIDEM_BEAM_H
 
-#include <algorithm>
+#include <stddef.h>
+
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "laws/beam_plasticity.hpp"
-#include "laws/beam_rupture.hpp"
+#include "laws/bond_limit.hpp"
 
 namespace LAMMPS_NS {
 
@@ -85,14 +87,13 @@ struct SolidemBeam {
   Law law = EULER_BERNOULLI;
   double shear_coefficient = 0.9;  ///< of TIMOSHENKO
   Plasticity plasticity = NONE;
-  solidem::BeamYield<double> yield = {NEVER, 0.0};
-  solidem::BeamRupture<double> rupture = {NEVER, NEVER};
-  double contact_ratio = 0.0;  ///< stiffness of contacts over E S / l; 0: no contact
+  solidem::YieldLaw hardening;  ///< where it flows
+  bool breaks = false;
+  solidem::RuptureLaw rupture;  ///< where it breaks
+  double contact_ratio = 0.0;   ///< stiffness of contacts over E S / l; 0: no contact
   double rebonding_pressure = NEVER;
 
-  bool may_break() const {
-    return std::isfinite(rupture.elastic_strain) || std::isfinite(rupture.strain);
-  }
+  bool may_break() const { return breaks; }
   bool may_change() const { return plasticity != NONE || may_break(); }
   /// Numbers of SolidemBondMemory that a bond of this type needs.
   int width() const;
@@ -132,8 +133,12 @@ struct SolidemBeam {
   void make(double* memory, const SolidemBondEnds& ends) const;
   bool may_reach_limit(const double* memory, const solidem::YieldingBeam<double>& bond,
                        const State& now) const;
-  double flow(double* memory, const SolidemBondEnds& ends,
-              const solidem::YieldingBeam<double>& bond, State& now, double step) const;
+  solidem::BondStrain<double> flow(double* memory, const SolidemBondEnds& ends,
+                                   const solidem::YieldingBeam<double>& bond, State& now,
+                                   double step) const;
+  solidem::BeamResponse<double> response(const double* memory, const SolidemBondEnds& ends,
+                                         const solidem::YieldingBeam<double>& bond,
+                                         const State& now) const;
   SolidemBondAction act_near_limit(double* memory, const SolidemBondEnds& ends,
                                    const solidem::YieldingBeam<double>& bond, State now,
                                    double step, bool energies) const;
@@ -142,6 +147,9 @@ struct SolidemBeam {
   Contact contact(const double* memory, const SolidemBondEnds& ends) const;
   SolidemBondAction act_apart(double* memory, const SolidemBondEnds& ends, double step) const;
 };
+
+static_assert(std::is_trivially_copyable<SolidemBeam>::value,
+              "a beam is written to restart files as it is");
 
 inline solidem::Vector3<double> solidem_vector(const double* a) {
   return {a[0], a[1], a[2]};
@@ -159,11 +167,11 @@ inline solidem::YieldingBeam<double> SolidemBeam::beam(const SolidemBondEnds& en
   const solidem::BeamSection<double> section = {young_modulus, shear_modulus, thickness};
   if (law == TIMOSHENKO)
     return {solidem::timoshenko_rigidity(section, rest_length, shear_coefficient), rest_length,
-            thickness, shear_modulus / young_modulus, yield};
+            thickness, shear_modulus / young_modulus};
   if (law == SPRING)  // bears no bending and no torsion: neither strains it
-    return {solidem::spring_rigidity(section), rest_length, 0.0, 0.0, yield};
+    return {solidem::spring_rigidity(section), rest_length, 0.0, 0.0};
   return {solidem::euler_bernoulli_rigidity(section), rest_length, thickness,
-          shear_modulus / young_modulus, yield};
+          shear_modulus / young_modulus};
 }
 
 inline solidem::BeamHistory<double> SolidemBeam::history(const double* memory) const {
@@ -189,11 +197,10 @@ inline bool SolidemBeam::may_reach_limit(const double* memory,
                                          const solidem::YieldingBeam<double>& bond,
                                          const State& now) const {
   if (plasticity == SCALED_OFFSET) return true;
-  const double plastic_strain = memory[SolidemBondMemory::PLASTIC_STRAIN];
-  const double yield_strain = yield.yield_strain + yield.hardening_ratio * plastic_strain;
-  const double strain = std::max(rupture.strain - plastic_strain, 0.0);
-  const double limit =
-      bond.rest_length * std::min(std::min(rupture.elastic_strain, strain), yield_strain);
+  const double limit = bond.rest_length *
+                       solidem::limit_strain(
+                           plasticity == NONE ? NULL : &hardening, solidem::FlowRule::radial_return,
+                           breaks ? &rupture : NULL, memory[SolidemBondMemory::PLASTIC_STRAIN]);
   return solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, now.pose,
                                              now.deformation) > limit * limit;
 }

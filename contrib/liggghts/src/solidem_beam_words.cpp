@@ -11,6 +11,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <variant>
+#include <vector>
 
 #include "error.h"
 #include "force.h"
@@ -49,6 +52,15 @@ class Words {
     return value;
   }
 
+  // Whether the next word is this one; whether it is a number.
+  bool is_next(const char* name) const { return any() && std::string(arg_[at_]) == name; }
+  bool is_number() const {
+    if (!any()) return true;  // one is missing
+    char* end;
+    std::strtod(arg_[at_], &end);
+    return end != arg_[at_] && *end == '\0';
+  }
+
   void fail(const std::string& why) const {
     liggghts_->error->all(FLERR, ("Bond style solidem/beam: " + why).c_str());
   }
@@ -75,6 +87,58 @@ void read_law(Words& words, SolidemBeam& beam) {
   }
 }
 
+// One parameter of a law, if the next word is its name.
+template <class Law>
+bool read_parameter(Words& words, const solidem::BondLawParameter<Law>& parameter,
+                    double young_modulus, Law& law) {
+  const bool as_stress = parameter.stress_name && words.is_next(parameter.stress_name);
+  if (!as_stress && !words.is_next(parameter.name)) return false;
+  const std::string name = words.word("a name");
+  const double value = parameter.bound == solidem::LawBound::above_zero ? words.positive(name)
+                                                                      : words.not_negative(name);
+  law.*parameter.member = as_stress ? value / young_modulus : value;
+  return true;
+}
+
+// The parameters of a law by name, in any order, as far as they go.
+template <class Law>
+void read_parameters(Words& words, double young_modulus, Law& law) {
+  std::vector<bool> given(law.parameters().size(), false);
+  for (bool any = true; any;) {
+    any = false;
+    for (size_t k = 0; k < given.size(); k++) {
+      if (!read_parameter(words, law.parameters()[k], young_modulus, law)) continue;
+      if (given[k])
+        words.fail(std::string(law.parameters()[k].name) + " of " + law.name + " is given twice");
+      given[k] = any = true;
+    }
+  }
+  for (size_t k = 0; k < given.size(); k++)
+    if (law.parameters()[k].is_required && !given[k])
+      words.fail(std::string(law.name) + " needs " + law.parameters()[k].name +
+                 (law.parameters()[k].stress_name
+                      ? std::string(" or ") + law.parameters()[k].stress_name
+                      : std::string()));
+  if (const char* complaint = law.complaint()) words.fail(std::string(law.name) + ": " + complaint);
+}
+
+// A law of a table by its name, with its parameters.
+template <class Table>
+void read_bond_law(Words& words, const std::string& what, double young_modulus,
+                   typename Table::Any& result) {
+  const std::string name = words.word(what);
+  std::string known;
+  bool found = false;
+  Table::for_each([&](auto law) {
+    known += (known.empty() ? "" : ", ") + std::string(law.name);
+    if (name != law.name) return;
+    read_parameters(words, young_modulus, law);
+    result = law;
+    found = true;
+  });
+  if (!found) words.fail("unknown " + what + " '" + name + "'; known are " + known);
+}
+
 void read_plasticity(Words& words, SolidemBeam& beam) {
   const std::string law = words.word("plasticity");
   if (law == "radial-return")
@@ -83,8 +147,31 @@ void read_plasticity(Words& words, SolidemBeam& beam) {
     beam.plasticity = SolidemBeam::SCALED_OFFSET;
   else
     words.fail("unknown plasticity '" + law + "'; known are radial-return, scaled-offset");
-  beam.yield.yield_strain = words.positive("the yield stress") / beam.young_modulus;
-  beam.yield.hardening_ratio = words.not_negative("the hardening modulus") / beam.young_modulus;
+  if (words.is_number()) {  // without a name: linear hardening
+    solidem::LinearHardening linear;
+    linear.yield_strain = words.positive("the yield stress") / beam.young_modulus;
+    linear.hardening_ratio = words.not_negative("the hardening modulus") / beam.young_modulus;
+    beam.hardening = linear;
+  } else {
+    read_bond_law<solidem::YieldLaws>(words, "hardening", beam.young_modulus, beam.hardening);
+  }
+}
+
+void read_rupture(Words& words, SolidemBeam& beam) {
+  if (beam.breaks) words.fail("rupture is given twice");
+  read_bond_law<solidem::RuptureLaws>(words, "rupture", beam.young_modulus, beam.rupture);
+  beam.breaks = true;
+}
+
+// The two words of the law strain-limit that stand alone.
+void read_strain_limit(Words& words, const std::string& key, SolidemBeam& beam) {
+  solidem::StrainLimit* law = std::get_if<solidem::StrainLimit>(&beam.rupture);
+  if (!law) words.fail(key + " does not go with another rupture law");
+  if (key == "rupture_stress")
+    law->elastic_strain = words.positive(key) / beam.young_modulus;
+  else
+    law->strain = words.positive(key);
+  beam.breaks = true;
 }
 
 // A number with all its digits.
@@ -92,6 +179,20 @@ std::string full(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", value);
   return text;
+}
+
+// A law with its parameters, but for those without limit.
+template <class AnyLaw>
+std::string law_words(const AnyLaw& any) {
+  return std::visit(
+      [](const auto& law) {
+        std::string words = law.name;
+        for (const auto& parameter : law.parameters())
+          if (std::isfinite(law.*parameter.member))
+            words += std::string(" ") + parameter.name + " " + full(law.*parameter.member);
+        return words;
+      },
+      any);
 }
 
 }  // namespace
@@ -115,21 +216,22 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
       read_law(words, beam);
     else if (key == "plasticity")
       read_plasticity(words, beam);
-    else if (key == "rupture_stress")
-      beam.rupture.elastic_strain = words.positive(key) / beam.young_modulus;
-    else if (key == "rupture_strain")
-      beam.rupture.strain = words.positive(key);
+    else if (key == "rupture_stress" || key == "rupture_strain")
+      read_strain_limit(words, key, beam);
+    else if (key == "rupture")
+      read_rupture(words, beam);
     else if (key == "contact")
       beam.contact_ratio = words.positive("the contact's stiffness ratio");
     else if (key == "rebonding_pressure")
       beam.rebonding_pressure = words.positive(key);
     else
       words.fail("unknown keyword '" + key +
-                 "'; known are law, plasticity, rupture_stress, rupture_strain, contact, "
+                 "'; known are law, plasticity, rupture_stress, rupture_strain, rupture, contact, "
                  "rebonding_pressure");
   }
   if (beam.contact_ratio > 0.0 && !beam.may_break())
-    words.fail("contact needs rupture_stress or rupture_strain: only broken bonds have contacts");
+    words.fail(
+        "contact needs rupture_stress or rupture_strain or rupture: only broken bonds have contacts");
   if (std::isfinite(beam.rebonding_pressure) && beam.contact_ratio == 0.0)
     words.fail("rebonding_pressure needs contact: only contacts make bonds anew");
   if (std::isfinite(beam.rebonding_pressure) && beam.plasticity == SolidemBeam::SCALED_OFFSET)
@@ -138,7 +240,6 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
 }
 
 std::string solidem_write_beam(const SolidemBeam& beam) {
-  const double stiffness = beam.young_modulus;
   std::string line = full(beam.young_modulus) + " " + full(beam.shear_modulus);
   line += beam.radius > 0.0 ? " radius " + full(beam.radius) : " pair " + full(beam.ratio);
   if (beam.law == SolidemBeam::TIMOSHENKO)
@@ -147,11 +248,8 @@ std::string solidem_write_beam(const SolidemBeam& beam) {
   if (beam.plasticity != SolidemBeam::NONE)
     line += (beam.plasticity == SolidemBeam::RADIAL_RETURN ? " plasticity radial-return "
                                                            : " plasticity scaled-offset ") +
-            full(beam.yield.yield_strain * stiffness) + " " +
-            full(beam.yield.hardening_ratio * stiffness);
-  if (std::isfinite(beam.rupture.elastic_strain))
-    line += " rupture_stress " + full(beam.rupture.elastic_strain * stiffness);
-  if (std::isfinite(beam.rupture.strain)) line += " rupture_strain " + full(beam.rupture.strain);
+            law_words(beam.hardening);
+  if (beam.breaks) line += " rupture " + law_words(beam.rupture);
   if (beam.contact_ratio > 0.0) line += " contact " + full(beam.contact_ratio);
   if (std::isfinite(beam.rebonding_pressure))
     line += " rebonding_pressure " + full(beam.rebonding_pressure);

@@ -5,9 +5,11 @@
 #ifndef SOLIDEM_EFFECTS_KERNELS_BEAM_MOTION_HPP
 #define SOLIDEM_EFFECTS_KERNELS_BEAM_MOTION_HPP
 
-#include <algorithm>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
+#include "effects/bond_state.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "effects/kernels/pack.hpp"
 #include "effects/kernels/pack_vector.hpp"
@@ -30,117 +32,59 @@ struct SlotPlace {
   std::size_t of(std::size_t components, std::size_t component = 0) const {
     return (components * row + component) * lanes + lane;
   }
+  Pack number(const double* column, std::size_t components = 1, std::size_t component = 0) const {
+    return Pack::load(column + of(components, component));
+  }
+  PackVector vector(const double* column) const { return load_vector(column + of(3)); }
 };
 
-/// The bonds of a pack of slots, as they stand before any flow of this step.
-struct BondPack {
-  BeamRigidity<Pack> rigidity;
-  Pack rest_length;
-  BeamPose<Pack> pose;
-  BeamDeformation<Pack> deformation;  ///< elastic
-  BeamHistory<Pack> history;
+using BondPack = BondNow<Pack>;
+
+/// What is known of all bonds when the loop is compiled.
+template <bool rotation, bool per_bond, Watch kind>
+struct CompiledFor {
+  static constexpr bool has_rotation = rotation;
+  static constexpr bool per_bond_rigidity = per_bond;
+  static constexpr bool remembers = kind == Watch::remembering;
 };
 
-template <bool turning, bool own_rigidity, BeamFlow flow>
-inline BondPack bonds_in(const BeamMotion& m, const SlotPlace& slot, const PackVector& chord,
-                         const Rotation<Pack>& rotation, const Quaternion<Pack>& turned_back,
-                         const Quaternion<Pack>& other_turned) {
-  BondPack bond{};
-  bond.rigidity = {Pack(m.rigidity.axial), Pack(m.rigidity.bending), Pack(m.rigidity.shear),
-                   Pack(m.rigidity.torsion)};
-  if constexpr (own_rigidity)
-    bond.rigidity = {
-        Pack::load(m.bond_rigidity + slot.of(4, 0)), Pack::load(m.bond_rigidity + slot.of(4, 1)),
-        Pack::load(m.bond_rigidity + slot.of(4, 2)), Pack::load(m.bond_rigidity + slot.of(4, 3))};
-  bond.rest_length = Pack::load(m.rest_length + slot.of(1));
-  BeamHistory<Pack>& history = bond.history;
-  if constexpr (remembers(flow)) {
-    history.extension = Pack::load(m.plastic_extension + slot.of(1));
-    history.strain = Pack::load(m.plastic_strain + slot.of(1));
-  }
-  if constexpr (turning) {
-    if constexpr (remembers(flow)) {
-      history.normal_i = load_vector(m.section_normal + slot.of(3));
-      history.normal_j = load_vector(m.far_section_normal + slot.of(3));
-      history.twist = Pack::load(m.plastic_twist + slot.of(1));
-    } else {
-      history.normal_i = history.normal_j = load_vector(m.rest_direction + slot.of(3));
-    }
-    bond.pose = {chord, rotate(rotation, history.normal_i), rotate(other_turned, history.normal_j),
-                 other_turned * turned_back};
-    bond.deformation = beam_deformation(bond.rest_length, bond.pose);
-  } else {
-    bond.pose.chord = chord;
-    bond.deformation = spring_deformation(bond.rest_length, chord);
-  }
-  if constexpr (remembers(flow)) {
-    bond.deformation.extension = bond.deformation.extension - history.extension;
-    if constexpr (turning) bond.deformation.twist = bond.deformation.twist - history.twist;
-  }
-  return bond;
+/// The same, known when it runs.
+inline BondKind kind_of(const BeamMotion& m) {
+  return {m.has_rotation, m.bond_rigidity != nullptr, m.watch == Watch::remembering};
 }
 
-template <bool turning>
-inline BeamLoad<Pack> load_of(const BondPack& bond) {
-  if constexpr (turning) return beam_load(bond.rigidity, bond.pose, bond.deformation);
+template <class Kind>
+inline BeamLoad<Pack> load_of(Kind kind, const BondPack& bond) {
+  if (kind.has_rotation) return beam_load(bond.rigidity, bond.pose, bond.deformation);
   return {spring_force(bond.rigidity, bond.deformation), {}, {}};
 }
 
-/// What the limits of a bond are measured on: the deformation since it last flowed, or, for the
-/// scaled offset, since it was made.
-struct Measured {
-  BeamPose<Pack> pose;
-  BeamDeformation<Pack> deformation;
-};
-
-template <bool turning, BeamFlow flow>
-inline Measured measured(const BeamMotion& m, const SlotPlace& slot, const BondPack& bond,
-                         const Rotation<Pack>& rotation, const Quaternion<Pack>& other_turned) {
-  if constexpr (flow != BeamFlow::scaled_offset) return {bond.pose, bond.deformation};
-  Measured whole{bond.pose, {}};
-  if constexpr (turning) {
-    const PackVector rest_direction = load_vector(m.rest_direction + slot.of(3));
-    whole.pose.normal_i = rotate(rotation, rest_direction);
-    whole.pose.normal_j = rotate(other_turned, rest_direction);
-    whole.deformation = beam_deformation(bond.rest_length, whole.pose);
-  } else {
-    whole.deformation = spring_deformation(bond.rest_length, bond.pose.chord);
-  }
-  return whole;
-}
-
-/// The strain up to which a bond surely neither flows nor breaks.
-template <BeamFlow flow>
-inline Pack safe_strain(const BeamMotion& m, const BondPack& bond) {
-  const Pack rupture(std::min(m.rupture.elastic_strain, m.rupture.strain));
-  if constexpr (flow == BeamFlow::brittle) return rupture;
-  const double growth = m.yield.hardening_ratio + (flow == BeamFlow::scaled_offset ? 1.0 : 0.0);
-  const Pack yield = Pack(m.yield.yield_strain) + Pack(growth) * bond.history.strain;
-  return select(greater(yield, rupture), rupture, yield);
-}
-
 /// Radius and G / E of the bonds of a pack of slots.
-template <bool own_rigidity>
-inline std::pair<Pack, Pack> radius_and_shear_ratio(const BeamMotion& m, const SlotPlace& slot,
-                                                    const BondPack& bond) {
-  if constexpr (!own_rigidity) return {Pack(m.radius), Pack(m.shear_ratio)};
+template <class Kind>
+inline std::pair<Pack, Pack> radius_and_shear_ratio(Kind kind, const BeamMotion& m,
+                                                    const SlotPlace& slot, const BondPack& bond) {
+  if (!kind.per_bond_rigidity) return {Pack(m.radius), Pack(m.shear_ratio)};
   const Pack radius = Pack::load(m.bond_radius + slot.of(1));
   // G I_0 / (E S) = G / E r² / 2, whatever the moduli of a bond are.
   return {radius, Pack(2.0) * bond.rigidity.torsion / (bond.rigidity.axial * radius * radius)};
 }
 
-/// Lanes that may have reached a limit of their bond.
-template <bool turning, bool own_rigidity, BeamFlow flow>
-inline Mask limited(const BeamMotion& m, const SlotPlace& slot, const BondPack& bond,
-                    const Measured& from) {
-  const auto [radius, shear_ratio] = radius_and_shear_ratio<own_rigidity>(m, slot, bond);
-  const Pack safe = safe_strain<flow>(m, bond) * bond.rest_length;
-  const Pack reached = bound_of_squared_extension(radius, shear_ratio, from.pose, from.deformation);
+inline Mask is_bond(const BondPack& bond) {
+  const PackVector& x = bond.deformation.direction;
+  return greater(dot(x, x), Pack(0.5));
+}
+
+/// Lanes that may have reached the limit of their bond.
+template <class Kind>
+inline Mask limited(Kind kind, const BeamMotion& m, const SlotPlace& slot, const BondPack& bond) {
+  const auto [radius, shear_ratio] = radius_and_shear_ratio(kind, m, slot, bond);
+  const Pack limit =
+      kind.remembers ? Pack::load(m.limit_strain + slot.of(1)) : Pack(m.common_limit_strain);
+  const Pack safe = limit * bond.rest_length;
+  const Pack reached = bound_of_squared_extension(radius, shear_ratio, bond.pose, bond.deformation);
   const Mask reaching = greater(reached, safe * safe);
-  // An empty slot is shorter than at rest, unless it remembers that it has shrunk to nothing.
-  if constexpr (flow == BeamFlow::radial_return) return reaching;
-  const PackVector& x = from.deformation.direction;
-  return both(reaching, greater(dot(x, x), Pack(0.5)));
+  // An empty slot without a limit of its own is as much shorter than at rest.
+  return kind.remembers ? reaching : both(reaching, is_bond(bond));
 }
 
 /// What a pack of slots does to its elements.
@@ -149,83 +93,146 @@ struct SlotLoad {
   Pack work;  ///< half of the plastic work of this step
 };
 
-/// Loads of bonds of which some may have reached a limit: they flow, which is kept, and those that
-/// break are reported. Apart from the hot loop, whose registers it would take.
-template <bool turning, bool own_rigidity, BeamFlow flow>
-[[gnu::noinline]] SlotLoad limited_load(const BeamMotion& m, std::size_t element,
-                                        const SlotPlace& slot) {
+/// A law by which no bond flows.
+struct NoFlow {};
+
+/// The ends of a pack of bonds and what their laws need.
+struct LimitedBonds {
+  BondPack bond;
+  YieldingBeam<Pack> beam;
+  Rotation<Pack> rotation;
+  Quaternion<Pack> turned, other_turned;
+};
+
+inline LimitedBonds limited_bonds(BondKind kind, const BeamMotion& m, std::size_t element,
+                                  const SlotPlace& slot) {
   const Row own = Row::load(m.pose + 8 * element);
   const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
   PackVector chord = centre(other) - centre(own);
   if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
   const Quaternion<Pack> turned = orientation(own), other_turned = orientation(other);
   const Rotation<Pack> rotation(turned);
-  const BondPack bond = bonds_in<turning, own_rigidity, flow>(m, slot, chord, rotation,
-                                                              conjugate(turned), other_turned);
-  const Measured from = measured<turning, flow>(m, slot, bond, rotation, other_turned);
-  const auto [radius, shear_ratio] = radius_and_shear_ratio<own_rigidity>(m, slot, bond);
-  const PackVector& x = from.deformation.direction;
-  const Mask present = greater(dot(x, x), Pack(0.5));
+  const BondPack bond = load_bond(kind, m, slot, chord, rotation, conjugate(turned), other_turned);
+  const auto [radius, shear_ratio] = radius_and_shear_ratio(kind, m, slot, bond);
+  return {
+      bond, {bond.rigidity, bond.rest_length, radius, shear_ratio}, rotation, turned, other_turned};
+}
 
-  SlotLoad result{};
-  Pack strain{}, plastic_strain = bond.history.strain;
-  if constexpr (remembers(flow)) {
-    const YieldingBeam<Pack> beam{bond.rigidity,
-                                  bond.rest_length,
-                                  radius,
-                                  shear_ratio,
-                                  {Pack(m.yield.yield_strain), Pack(m.yield.hardening_ratio)}};
-    BeamResponse<Pack> response;
-    if constexpr (flow == BeamFlow::radial_return)
-      response = radial_return_response(beam, bond.history, bond.pose, bond.deformation, turned,
-                                        other_turned);
-    else
-      response = scaled_offset_response(beam, bond.history, bond.pose, bond.deformation, from.pose,
-                                        from.deformation, turned, other_turned);
+/// What bonds do under the scaled offset, which looks at the deformation since they were made.
+template <class Law>
+inline BeamResponse<Pack> scaled_offset_of(BondKind kind, const YieldCurve<Law, Pack>& yield,
+                                           const BeamMotion& m, const SlotPlace& slot,
+                                           const LimitedBonds& at) {
+  const BondPack& bond = at.bond;
+  const auto whole = since_made(kind, m, slot, bond, at.rotation, at.other_turned);
+  return scaled_offset_response(yield, at.beam, bond.history, bond.pose, bond.deformation,
+                                whole.pose, whole.deformation, at.turned, at.other_turned);
+}
+
+/// Keeps the history of lanes that flow.
+inline void keep(BondKind kind, const BeamMotion& m, const SlotPlace& slot, Mask flowing,
+                 const BeamHistory<Pack>& before, const BeamHistory<Pack>& after) {
+  select(flowing, after.strain, before.strain).store(m.plastic_strain + slot.of(1));
+  select(flowing, after.extension, before.extension).store(m.plastic_extension + slot.of(1));
+  if (!kind.has_rotation) return;
+  store_vector(select(flowing, after.normal_i, before.normal_i), m.section_normal + slot.of(3));
+  store_vector(select(flowing, after.normal_j, before.normal_j), m.far_section_normal + slot.of(3));
+  select(flowing, after.twist, before.twist).store(m.plastic_twist + slot.of(1));
+}
+
+template <class Law>
+inline void refresh_limit(const Law& law, const BeamMotion& m, const SlotPlace& slot, Mask flowing,
+                          const Pack& plastic_strain) {
+  const Pack limit = smaller_of(strain_before_flow(law, m.flow_rule, plastic_strain),
+                                strain_before_rupture(m.rupture, plastic_strain));
+  double* column = m.limit_strain + slot.of(1);
+  select(flowing, limit, Pack::load(column)).store(column);
+}
+
+/// Reports the lanes that break.
+inline void report(const BeamMotion& m, const SlotPlace& slot, Mask present,
+                   const BondStrain<Pack>& strain) {
+  if (m.rupture == nullptr) return;
+  const Mask breaking = both(present, breaks(*m.rupture, strain));
+  if (!any(breaking)) return;
+  for (int k = 0; k < width; ++k)
+    if (breaking[k])
+      m.breaking->push_back(static_cast<std::uint32_t>(slot.of(1)) + static_cast<std::uint32_t>(k));
+}
+
+inline BondStrain<Pack> select(Mask condition, const BondStrain<Pack>& a,
+                               const BondStrain<Pack>& b) {
+  return {select(condition, a.equivalent, b.equivalent), select(condition, a.plastic, b.plastic),
+          select(condition, a.normal, b.normal), select(condition, a.bending, b.bending),
+          select(condition, a.twist, b.twist)};
+}
+
+inline BondStrain<Pack> strain_of(const LimitedBonds& at) {
+  const auto& [bond, beam, rotation, turned, other_turned] = at;
+  return bond_strain(beam.radius, beam.shear_ratio, bond.pose, bond.deformation,
+                     equivalent_strain(beam.radius, beam.shear_ratio, bond.pose, bond.deformation),
+                     bond.history.strain);
+}
+
+/// Loads of bonds of which some may have reached a limit: they flow, which is kept, and those that
+/// break are reported. Apart from the hot loop, whose registers it would take.
+template <class Law>
+[[gnu::noinline]] SlotLoad limited_load(const BeamMotion& m, std::size_t element,
+                                        const SlotPlace& slot) {
+  const BondKind kind = kind_of(m);
+  LimitedBonds at = limited_bonds(kind, m, element, slot);
+  BondPack& bond = at.bond;
+  if (kind.remembers) bond.history.strain = Pack::load(m.plastic_strain + slot.of(1));
+  const Mask present = is_bond(bond);
+  if constexpr (std::is_same_v<Law, NoFlow>) {
+    const BeamLoad<Pack> load = load_of(kind, bond);
+    report(m, slot, present, strain_of(at));
+    return {load.force, load.moment_i, {}};
+  } else {
+    const Law& law = *std::get_if<Law>(m.yield);
+    const YieldCurve<Law, Pack> yield{law};
+    const bool offset = m.flow_rule == FlowRule::scaled_offset;
+    const BeamResponse<Pack> response =
+        offset ? scaled_offset_of(kind, yield, m, slot, at)
+               : radial_return_response(yield, at.beam, bond.history, bond.pose, bond.deformation,
+                                        at.turned, at.other_turned);
     const BeamHistory<Pack>& before = bond.history;
     const BeamHistory<Pack>& after = response.history;
     const Mask flowing = both(present, greater(after.strain, before.strain));
-    result = {response.load.force, response.load.moment_i, {}};
-    strain = response.strain;
-    if constexpr (flow == BeamFlow::scaled_offset) {
+    SlotLoad result{response.load.force, response.load.moment_i, {}};
+    BondStrain<Pack> strain = response.strains;
+    if (offset) {
       // Lanes that do not flow keep the shape they had, which is not that of the response; an empty
       // slot may flow and be the only one.
-      const BeamLoad<Pack> kept = load_of<turning>(bond);
+      const BeamLoad<Pack> kept = load_of(kind, bond);
       result.force = select(flowing, result.force, kept.force);
       result.moment = select(flowing, result.moment, kept.moment_i);
-      strain = select(flowing, strain,
-                      equivalent_strain(radius, shear_ratio, bond.pose, bond.deformation));
+      strain = select(flowing, strain, strain_of(at));
     }
     if (any(flowing)) {
       result.work = select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0));
-      plastic_strain = select(flowing, after.strain, before.strain);
-      plastic_strain.store(m.plastic_strain + slot.of(1));
-      select(flowing, after.extension, before.extension).store(m.plastic_extension + slot.of(1));
-      if constexpr (turning) {
-        store_vector(select(flowing, after.normal_i, before.normal_i),
-                     m.section_normal + slot.of(3));
-        store_vector(select(flowing, after.normal_j, before.normal_j),
-                     m.far_section_normal + slot.of(3));
-        select(flowing, after.twist, before.twist).store(m.plastic_twist + slot.of(1));
-      }
+      keep(kind, m, slot, flowing, before, after);
+      refresh_limit(law, m, slot, flowing, after.strain);
     }
-  } else {
-    const BeamLoad<Pack> load = load_of<turning>(bond);
-    result = {load.force, load.moment_i, {}};
-    strain = equivalent_strain(radius, shear_ratio, bond.pose, bond.deformation);
+    report(m, slot, present, strain);
+    return result;
   }
-  const BeamRupture<Pack> rupture{Pack(m.rupture.elastic_strain), Pack(m.rupture.strain)};
-  const Mask breaking = both(present, breaks(rupture, strain, plastic_strain));
-  if (any(breaking))
-    for (int k = 0; k < width; ++k)
-      if (breaking[k])
-        m.breaking->push_back(static_cast<std::uint32_t>(slot.of(1)) +
-                              static_cast<std::uint32_t>(k));
-  return result;
 }
 
-template <bool turning, bool own_rigidity, BeamFlow flow>
-void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
+using LimitedLoad = SlotLoad (*)(const BeamMotion&, std::size_t element, const SlotPlace&);
+
+/// Chosen once, outside the loops: they do not grow with the table of laws.
+inline LimitedLoad limited_load_of(const BeamMotion& m) {
+  if (m.yield == nullptr) return limited_load<NoFlow>;
+  return std::visit(
+      [](const auto& law) -> LimitedLoad { return limited_load<std::decay_t<decltype(law)>>; },
+      *m.yield);
+}
+
+template <bool has_rotation, bool per_bond_rigidity, Watch watch>
+void move_beams(const BeamMotion& m, LimitedLoad limited_load, std::size_t first,
+                std::size_t last) {
+  constexpr CompiledFor<has_rotation, per_bond_rigidity, watch> kind{};
   // Far enough ahead for a neighbour's line to arrive, near enough to be still there.
   constexpr std::size_t rows_ahead = 2;
   const std::size_t end_row = m.first_row[last];
@@ -251,21 +258,19 @@ void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
         PackVector chord = centre(other) - position;
         if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
         const Quaternion<Pack> other_turned = orientation(other);
-        const BondPack bond = bonds_in<turning, own_rigidity, flow>(m, slot, chord, rotation,
-                                                                    turned_back, other_turned);
-        if constexpr (flow != BeamFlow::none) {
-          const Measured from = measured<turning, flow>(m, slot, bond, rotation, other_turned);
-          if (__builtin_expect(any(limited<turning, own_rigidity, flow>(m, slot, bond, from)), 0)) {
-            const SlotLoad load = limited_load<turning, own_rigidity, flow>(m, element, slot);
+        const BondPack bond = load_bond(kind, m, slot, chord, rotation, turned_back, other_turned);
+        if constexpr (watch != Watch::elastic) {
+          if (__builtin_expect(any(limited(kind, m, slot, bond)), 0)) {
+            const SlotLoad load = limited_load(m, element, slot);
             force += load.force;
             moment += load.moment;
             work += load.work;
             continue;
           }
         }
-        const BeamLoad<Pack> load = load_of<turning>(bond);
+        const BeamLoad<Pack> load = load_of(kind, bond);
         force += load.force;
-        if constexpr (turning) moment += load.moment_i;
+        if constexpr (has_rotation) moment += load.moment_i;
       }
       const std::size_t at = 3 * block * lanes + static_cast<std::size_t>(lane);
       const PackVector velocity = load_vector(m.velocity + at) +
@@ -273,7 +278,7 @@ void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
       store_vector(velocity, m.velocity + at);
       const PackVector moved = position + Pack(m.drift) * velocity;
       Quaternion<Pack> now = turned;
-      if constexpr (turning) {
+      if constexpr (has_rotation) {
         const PackVector spin = load_vector(m.angular_velocity + at) +
                                 (Pack(m.kick) * Pack::load(m.inverse_inertia + element)) * moment;
         store_vector(spin, m.angular_velocity + at);
@@ -282,7 +287,7 @@ void move_beams(const BeamMotion& m, std::size_t first, std::size_t last) {
       const Row next{
           {moved.x, moved.y, moved.z, own.component[3], now.w, now.v.x, now.v.y, now.v.z}};
       next.store(m.next_pose + 8 * element);
-      if constexpr (remembers(flow))
+      if constexpr (watch == Watch::remembering)
         // The scaled offset may give work back.
         if (any(either(greater(work, Pack(0.0)), greater(Pack(0.0), work))))
           (Pack::load(m.plastic_work + element) + work).store(m.plastic_work + element);
@@ -360,29 +365,26 @@ inline void move_beams_in_single_precision(const BeamMotion& m, std::size_t firs
   }
 }
 
-template <bool turning, bool own_rigidity>
-void move_beams_by_flow(const BeamMotion& m, std::size_t first, std::size_t last) {
-  switch (m.flow) {
-    case BeamFlow::none:
-      return move_beams<turning, own_rigidity, BeamFlow::none>(m, first, last);
-    case BeamFlow::brittle:
-      return move_beams<turning, own_rigidity, BeamFlow::brittle>(m, first, last);
-    case BeamFlow::radial_return:
-      return move_beams<turning, own_rigidity, BeamFlow::radial_return>(m, first, last);
-    case BeamFlow::scaled_offset:
-      return move_beams<turning, own_rigidity, BeamFlow::scaled_offset>(m, first, last);
-  }
-}
+using MoveBeams = void (*)(const BeamMotion&, LimitedLoad, std::size_t first, std::size_t last);
+
+/// Every loop there is, by rotation, rigidity per bond and what is watched.
+inline constexpr MoveBeams beam_loops[2][2][3] = {
+    {{move_beams<false, false, Watch::elastic>, move_beams<false, false, Watch::watched>,
+      move_beams<false, false, Watch::remembering>},
+     {move_beams<false, true, Watch::elastic>, move_beams<false, true, Watch::watched>,
+      move_beams<false, true, Watch::remembering>}},
+    {{move_beams<true, false, Watch::elastic>, move_beams<true, false, Watch::watched>,
+      move_beams<true, false, Watch::remembering>},
+     {move_beams<true, true, Watch::elastic>, move_beams<true, true, Watch::watched>,
+      move_beams<true, true, Watch::remembering>}}};
+static_assert(sizeof beam_loops / sizeof(MoveBeams) <= 12,
+              "loops of beams grow with what bonds are, not with the laws they yield and break by");
 
 inline void move_beams_by_kind(const BeamMotion& m, std::size_t first, std::size_t last) {
-  const bool own_rigidity = m.bond_rigidity != nullptr;
   if (m.single_precision) return move_beams_in_single_precision(m, first, last);
-  if (m.turning)
-    own_rigidity ? move_beams_by_flow<true, true>(m, first, last)
-                 : move_beams_by_flow<true, false>(m, first, last);
-  else
-    own_rigidity ? move_beams_by_flow<false, true>(m, first, last)
-                 : move_beams_by_flow<false, false>(m, first, last);
+  const MoveBeams move = beam_loops[m.has_rotation ? 1 : 0][m.bond_rigidity != nullptr ? 1 : 0]
+                                   [static_cast<int>(m.watch)];
+  move(m, limited_load_of(m), first, last);
 }
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET

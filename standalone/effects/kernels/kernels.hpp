@@ -10,29 +10,23 @@
 
 #include "laws/beam.hpp"
 #include "laws/beam_plasticity.hpp"
-#include "laws/beam_rupture.hpp"
+#include "laws/bond_limit.hpp"
 #include "laws/central_laws.hpp"
 #include "neighbours/neighbourhood.hpp"
 
 namespace solidem {
 
-/// What a beam may do besides being elastic.
-enum class BeamFlow {
-  none,
-  brittle,        ///< break
-  radial_return,  ///< flow and break
-  scaled_offset   ///< the same by the law of the thesis
+/// What the hot loop of beams looks out for.
+enum class Watch {
+  elastic,     ///< nothing: bonds neither flow nor break
+  watched,     ///< a strain at which bonds may break
+  remembering  ///< the same of each bond, which keeps a history
 };
-
-/// Whether bonds keep a history.
-constexpr bool remembers(BeamFlow flow) {
-  return flow == BeamFlow::radial_return || flow == BeamFlow::scaled_offset;
-}
 
 /// Columns of bonded elements in motion, as the kernels read and write them.
 struct BeamMotion {
-  BeamFlow flow;
-  bool turning;           ///< false: bonds are springs, elements have no orientation
+  Watch watch;
+  bool has_rotation;      ///< false: bonds are springs, elements have no orientation
   bool single_precision;  ///< of the law: for elastic beams that are all alike
   double length_unit;     ///< m, in which single precision measures
   const std::uint32_t* first_row;
@@ -57,12 +51,15 @@ struct BeamMotion {
   double* plastic_extension;
   double* plastic_twist;
   double* plastic_strain;
+  double* limit_strain;
   double* plastic_work;
   const double* bond_radius;  ///< null: `radius` holds for every bond
   double radius;
-  double shear_ratio;  ///< G / E, where the bonds are all alike
-  BeamYield<double> yield;
-  BeamRupture<double> rupture;
+  double shear_ratio;          ///< G / E, where the bonds are all alike
+  double common_limit_strain;  ///< of bonds that are watched
+  const YieldLaw* yield;       ///< null: no bond flows
+  FlowRule flow_rule;
+  const RuptureLaw* rupture;             ///< null: no bond breaks
   std::vector<std::uint32_t>* breaking;  ///< slots that break in this step are added here
 };
 

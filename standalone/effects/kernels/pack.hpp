@@ -160,6 +160,15 @@ inline Mask both(Mask a, Mask b) {
 #endif
 }
 
+/// Lanes that are not a number.
+inline Mask is_nan(Pack a) {
+#if defined(__AVX512F__)
+  return {_mm512_cmp_pd_mask(a.v, a.v, _CMP_UNORD_Q)};
+#else
+  return {a.v != a.v};
+#endif
+}
+
 /// Is there a lane that says yes?
 inline bool any(Mask a) {
 #if defined(__AVX512F__)
@@ -199,6 +208,65 @@ inline Pack raise(Pack a, Mask condition, Pack b) {
 
 inline Pack abs(Pack a) {
   return select(greater(Pack(0.0), a), -a, a);
+}
+
+/// Bits of the lanes as integers.
+typedef std::uint64_t LaneBits __attribute__((vector_size(width * sizeof(std::uint64_t))));
+
+inline LaneBits bits_of(Pack a) {
+  return reinterpret_cast<LaneBits>(a.v);
+}
+inline Pack pack_of(LaneBits bits) {
+  return Pack(reinterpret_cast<Lanes>(bits));
+}
+
+// ln 2 in two parts, of which the first has zeros at its end: an integer times it is exact.
+inline constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
+
+/// e^a to about an ulp: a = k ln 2 + r, |r| <= ln 2 / 2, and the series of e^r. Above 709.4
+/// infinity, below -708 zero.
+inline Pack exp(Pack a) {
+  // Added to a small number it leaves the nearest integer in the last bits.
+  const Pack integers(6755399441055744.0);  // 1.5 * 2^52
+  const Pack highest(709.4), lowest(-708.0);
+  const Pack bounded = select(greater(a, highest), highest, select(greater(lowest, a), lowest, a));
+  const Pack shifted = bounded * Pack(1.44269504088896340736) + integers;
+  const Pack k = shifted - integers;
+  const Pack r = (bounded - k * Pack(ln2_high)) - k * Pack(ln2_low);
+  constexpr double inverse_factorial[] = {
+      1.0 / 6227020800, 1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320,
+      1.0 / 5040,       1.0 / 720,       1.0 / 120,      1.0 / 24,      1.0 / 6,      0.5};
+  Pack series(inverse_factorial[0]);
+  for (int n = 1; n < 12; ++n) series = series * r + Pack(inverse_factorial[n]);
+  const Pack power = Pack(1.0) + (r + r * r * series);
+  const Pack scale = pack_of((bits_of(shifted) << 52) + bits_of(Pack(1.0)));
+  return select(greater(a, highest), Pack(HUGE_VAL),
+                select(greater(lowest, a), Pack(0.0), power * scale));
+}
+
+/// Natural logarithm to about an ulp: a = 2^k m, m from sqrt(1/2) to sqrt(2), and the series of
+/// 2 artanh((m - 1) / (m + 1)). Of 0 (and of what is too small to be normal) minus infinity, of a
+/// negative number none.
+inline Pack log(Pack a) {
+  const LaneBits mantissa_bits = LaneBits{} + 0xfffffffffffffu;
+  const LaneBits mantissa = bits_of(a) & mantissa_bits;
+  Pack m = pack_of(mantissa | bits_of(Pack(1.0)));
+  const Pack two52(4503599627370496.0);
+  Pack k = pack_of((bits_of(a) >> 52) | bits_of(two52)) - two52 - Pack(1023.0);
+  const Mask upper = greater(m, Pack(1.41421356237309504880));
+  m = select(upper, Pack(0.5) * m, m);
+  k = select(upper, k + Pack(1.0), k);
+  const Pack s = (m - Pack(1.0)) / (m + Pack(1.0)), square = s * s;
+  Pack series(1.0 / 23);
+  for (int n = 21; n > 1; n -= 2) series = series * square + Pack(1.0 / n);
+  const Pack twice = s + s;
+  const Pack result = k * Pack(ln2_high) + (twice + (twice * square * series + k * Pack(ln2_low)));
+  const Pack none = a - a;  // not a number where a is none or infinite
+  const Pack special =
+      select(greater(Pack(0.0), a), Pack(-HUGE_VAL) - Pack(-HUGE_VAL), Pack(-HUGE_VAL));
+  const Mask is_normal = greater(a, Pack(2.2250738585072011e-308));
+  const Pack usual = select(greater(a, Pack(1.7976931348623157e308)), a, result + none);
+  return select(either(is_normal, is_nan(a)), usual, special);
 }
 
 /// table[index[k]] in lane k.
