@@ -4,10 +4,23 @@
 // `EffectKind NAME_kind()` at the foot of its own file. A new one is a line here.
 #include "effects/effect_kind.hpp"
 
-#define SOLIDEM_EFFECT_KINDS(kind)                                                           \
-  kind(beams) kind(plasticity) kind(rupture) kind(contact) kind(damage) kind(central_forces) \
-      kind(initial_velocities) kind(grips) kind(conduction) kind(thermal_contacts)           \
-          kind(heat_sources) kind(heat_fluxes) kind(convections) kind(temperatures)
+// clang-format off
+#define SOLIDEM_EFFECT_KINDS(kind) \
+  kind(beams) \
+  kind(plasticity) \
+  kind(rupture) \
+  kind(contact) \
+  kind(damage) \
+  kind(central_forces) \
+  kind(initial_velocities) \
+  kind(grips) \
+  kind(conduction) \
+  kind(thermal_contacts) \
+  kind(heat_sources) \
+  kind(heat_fluxes) \
+  kind(convections) \
+  kind(temperatures)
+// clang-format on
 
 namespace solidem {
 
