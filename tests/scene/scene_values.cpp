@@ -230,5 +230,29 @@ TEST(Scene, TheExampleOfTheReferencePageReads) {
   EXPECT_EQ(complaint(page.substr(begin + 8, end - begin - 8)), "");
 }
 
+TEST(Scene, laws_of_bonds_take_parameters_as_numbers_and_as_stresses) {
+  const std::string beams =
+      "[beams]\nyoung_modulus = \"2 TPa\"\npoisson_ratio = 0.3\nradius_ratio = 0.3\n";
+  std::string text = bar_scene;
+  const auto from = text.find("[beams]"), to = text.find("\n[", from + 1);
+  text.replace(from, to + 1 - from,
+               beams +
+                   "[plasticity]\nlaw = \"scaled-offset\"\nhardening = \"voce\"\n"
+                   "yield_stress = \"4 GPa\"\nsaturation_strain = 0.003\nplastic_scale = 0.01\n"
+                   "[rupture]\nlaw = \"mohr-coulomb\"\ntensile_strength = \"6 GPa\"\n"
+                   "cohesion_strain = 0.004\nminimal_bonds = 2\n");
+  const Scene scene = read_text_scene(text);
+  const auto& voce = std::get<VoceHardening>(scene.setup.plasticity->hardening);
+  EXPECT_EQ(scene.setup.plasticity->law, FlowRule::scaled_offset);
+  EXPECT_DOUBLE_EQ(voce.yield_strain, 0.002);
+  EXPECT_DOUBLE_EQ(voce.saturation_strain, 0.003);
+  EXPECT_DOUBLE_EQ(voce.plastic_scale, 0.01);
+  const auto& law = std::get<MohrCoulombRupture>(scene.setup.rupture->law);
+  EXPECT_DOUBLE_EQ(law.tensile_strain, 0.003);
+  EXPECT_DOUBLE_EQ(law.cohesion_strain, 0.004);
+  EXPECT_DOUBLE_EQ(law.friction_coefficient, 0);
+  EXPECT_EQ(scene.setup.rupture->minimal_bonds, 2);
+}
+
 }  // namespace
 }  // namespace solidem::test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "laws/beam_plasticity.hpp"
-#include "laws/beam_rupture.hpp"
+#include "laws/bond_limit.hpp"
 #include "support/beams.hpp"
 
 namespace solidem {

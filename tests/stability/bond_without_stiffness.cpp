@@ -15,10 +15,13 @@ TEST(BondWithoutStiffness, has_no_load_and_no_energy) {
   const BeamRigidity<double> none{0, 0, 0, 0};
   const Vector direction{0.6, 0.64, 0.48};
   const auto a = turn<double>({}, {0.3, -0.2, 0.5}, 1), b = turn<double>({}, {-0.1, 0.4, 0.2}, 1);
-  const YieldingBeam<double> beam{none, 2e-4, 3e-5, 0.4, {2e-3, 0}};
-  const auto flowing = radial_return_response(beam, unyielded(direction), {3e-4, 1e-4, 0}, a, b);
+  const YieldingBeam<double> beam{none, 2e-4, 3e-5, 0.4};
+  const LinearHardening law{2e-3, 0};
+  const YieldCurve<LinearHardening, double> yield{law};
+  const auto flowing =
+      radial_return_response(yield, beam, unyielded(direction), {3e-4, 1e-4, 0}, a, b);
   const auto offset =
-      scaled_offset_response(beam, unyielded(direction), direction, {3e-4, 1e-4, 0}, a, b);
+      scaled_offset_response(yield, beam, unyielded(direction), direction, {3e-4, 1e-4, 0}, a, b);
   const auto elastic = beam_load<double>(none, 2e-4, beam_pose({3e-4, 1e-4, 0}, direction, a, b));
   for (const BeamLoad<double>& load : {flowing.load, offset.load, elastic}) {
     EXPECT_EQ(norm(load.force), 0);

@@ -37,15 +37,15 @@ TEST_P(YieldInTheFirstStep, is_the_response_of_the_law) {
   const BeamSection<double> section{3.5e12, 1.35e12, r};
   const YieldingBeam<double> beam{law == BeamLaw::timoshenko ? timoshenko_rigidity(section, l, 0.9)
                                                              : euler_bernoulli_rigidity(section),
-                                  l,
-                                  r,
-                                  1.35 / 3.5,
-                                  {2e-3, 0.01}};
+                                  l, r, 1.35 / 3.5};
+  const LinearHardening hardening{2e-3, 0.01};
+  const YieldCurve<LinearHardening, double> yield{hardening};
   const Vector x{1, 0, 0}, chord = centre_of(simulation, 1) - centre_of(simulation, 0);
   const auto expected =
       flow == FlowLaw::radial_return
-          ? radial_return_response(beam, unyielded(x), chord, orientation(0), orientation(1))
-          : scaled_offset_response(beam, unyielded(x), x, chord, orientation(0), orientation(1));
+          ? radial_return_response(yield, beam, unyielded(x), chord, orientation(0), orientation(1))
+          : scaled_offset_response(yield, beam, unyielded(x), x, chord, orientation(0),
+                                   orientation(1));
   ASSERT_GT(expected.history.strain, 0.1);
 
   const Model& model = simulation.model();

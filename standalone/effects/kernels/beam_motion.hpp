@@ -48,10 +48,13 @@ struct CompiledFor {
   static constexpr bool remembers = kind == Watch::remembering;
 };
 
-/// The same, known when it runs.
-inline BondKind kind_of(const BeamMotion& m) {
-  return {m.has_rotation, m.bond_rigidity != nullptr, m.watch == Watch::remembering};
-}
+/// What is known of bonds that reach a limit: the rest is asked for when they do.
+template <bool rotation, bool history>
+struct LimitedKind {
+  static constexpr bool has_rotation = rotation;
+  static constexpr bool remembers = history;
+  bool per_bond_rigidity;
+};
 
 template <class Kind>
 inline BeamLoad<Pack> load_of(Kind kind, const BondPack& bond) {
@@ -104,7 +107,8 @@ struct LimitedBonds {
   Quaternion<Pack> turned, other_turned;
 };
 
-inline LimitedBonds limited_bonds(BondKind kind, const BeamMotion& m, std::size_t element,
+template <class Kind>
+inline LimitedBonds limited_bonds(Kind kind, const BeamMotion& m, std::size_t element,
                                   const SlotPlace& slot) {
   const Row own = Row::load(m.pose + 8 * element);
   const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
@@ -119,8 +123,8 @@ inline LimitedBonds limited_bonds(BondKind kind, const BeamMotion& m, std::size_
 }
 
 /// What bonds do under the scaled offset, which looks at the deformation since they were made.
-template <class Law>
-inline BeamResponse<Pack> scaled_offset_of(BondKind kind, const YieldCurve<Law, Pack>& yield,
+template <class Kind, class Law>
+inline BeamResponse<Pack> scaled_offset_of(Kind kind, const YieldCurve<Law, Pack>& yield,
                                            const BeamMotion& m, const SlotPlace& slot,
                                            const LimitedBonds& at) {
   const BondPack& bond = at.bond;
@@ -130,7 +134,8 @@ inline BeamResponse<Pack> scaled_offset_of(BondKind kind, const YieldCurve<Law, 
 }
 
 /// Keeps the history of lanes that flow.
-inline void keep(BondKind kind, const BeamMotion& m, const SlotPlace& slot, Mask flowing,
+template <class Kind>
+inline void keep(Kind kind, const BeamMotion& m, const SlotPlace& slot, Mask flowing,
                  const BeamHistory<Pack>& before, const BeamHistory<Pack>& after) {
   select(flowing, after.strain, before.strain).store(m.plastic_strain + slot.of(1));
   select(flowing, after.extension, before.extension).store(m.plastic_extension + slot.of(1));
@@ -152,7 +157,6 @@ inline void refresh_limit(const Law& law, const BeamMotion& m, const SlotPlace& 
 /// Reports the lanes that break.
 inline void report(const BeamMotion& m, const SlotPlace& slot, Mask present,
                    const BondStrain<Pack>& strain) {
-  if (m.rupture == nullptr) return;
   const Mask breaking = both(present, breaks(*m.rupture, strain));
   if (!any(breaking)) return;
   for (int k = 0; k < width; ++k)
@@ -176,17 +180,17 @@ inline BondStrain<Pack> strain_of(const LimitedBonds& at) {
 
 /// Loads of bonds of which some may have reached a limit: they flow, which is kept, and those that
 /// break are reported. Apart from the hot loop, whose registers it would take.
-template <class Law>
+template <class Law, class Kind>
 [[gnu::noinline]] SlotLoad limited_load(const BeamMotion& m, std::size_t element,
                                         const SlotPlace& slot) {
-  const BondKind kind = kind_of(m);
+  const Kind kind{m.bond_rigidity != nullptr};
   LimitedBonds at = limited_bonds(kind, m, element, slot);
   BondPack& bond = at.bond;
   if (kind.remembers) bond.history.strain = Pack::load(m.plastic_strain + slot.of(1));
   const Mask present = is_bond(bond);
   if constexpr (std::is_same_v<Law, NoFlow>) {
     const BeamLoad<Pack> load = load_of(kind, bond);
-    report(m, slot, present, strain_of(at));
+    if (m.rupture != nullptr) report(m, slot, present, strain_of(at));
     return {load.force, load.moment_i, {}};
   } else {
     const Law& law = *std::get_if<Law>(m.yield);
@@ -200,21 +204,21 @@ template <class Law>
     const BeamHistory<Pack>& after = response.history;
     const Mask flowing = both(present, greater(after.strain, before.strain));
     SlotLoad result{response.load.force, response.load.moment_i, {}};
-    BondStrain<Pack> strain = response.strains;
     if (offset) {
       // Lanes that do not flow keep the shape they had, which is not that of the response; an empty
       // slot may flow and be the only one.
       const BeamLoad<Pack> kept = load_of(kind, bond);
       result.force = select(flowing, result.force, kept.force);
       result.moment = select(flowing, result.moment, kept.moment_i);
-      strain = select(flowing, strain, strain_of(at));
     }
     if (any(flowing)) {
       result.work = select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0));
       keep(kind, m, slot, flowing, before, after);
       refresh_limit(law, m, slot, flowing, after.strain);
     }
-    report(m, slot, present, strain);
+    if (m.rupture != nullptr)
+      report(m, slot, present,
+             offset ? select(flowing, response.strains, strain_of(at)) : response.strains);
     return result;
   }
 }
@@ -222,11 +226,20 @@ template <class Law>
 using LimitedLoad = SlotLoad (*)(const BeamMotion&, std::size_t element, const SlotPlace&);
 
 /// Chosen once, outside the loops: they do not grow with the table of laws.
-inline LimitedLoad limited_load_of(const BeamMotion& m) {
-  if (m.yield == nullptr) return limited_load<NoFlow>;
+template <bool has_rotation>
+LimitedLoad limited_load_by_law(const BeamMotion& m) {
+  if (m.yield == nullptr)
+    return m.watch == Watch::remembering ? limited_load<NoFlow, LimitedKind<has_rotation, true>>
+                                         : limited_load<NoFlow, LimitedKind<has_rotation, false>>;
   return std::visit(
-      [](const auto& law) -> LimitedLoad { return limited_load<std::decay_t<decltype(law)>>; },
+      [](const auto& law) -> LimitedLoad {
+        return limited_load<std::decay_t<decltype(law)>, LimitedKind<has_rotation, true>>;
+      },
       *m.yield);
+}
+
+inline LimitedLoad limited_load_of(const BeamMotion& m) {
+  return m.has_rotation ? limited_load_by_law<true>(m) : limited_load_by_law<false>(m);
 }
 
 template <bool has_rotation, bool per_bond_rigidity, Watch watch>
