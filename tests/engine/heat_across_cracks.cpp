@@ -34,8 +34,7 @@ Setup crash(HeatLaw law, HeatIntegratorName integrator) {
   setup.get<ConductionParameters>()->initial_temperature = 300;
   if (law == HeatLaw::platonic_calibrated) setup.get<ConductionParameters>()->area_factor = 0.8;
   if (integrator == HeatIntegratorName::automatic) setup.get<ConductionParameters>()->tolerance = 1;
-  setup.get<RuptureParameters>() = RuptureParameters{};
-  setup.get<RuptureParameters>()->strain = 0.02;
+  setup.get<RuptureParameters>() = breaking_at_strain(0.02);
   setup.get<ContactParameters>() = ContactParameters{};
   setup.get<ContactParameters>()->rebonding_pressure = 1e9;
   setup.all<GripParameters>() = {hold("left", face(0, false))};
@@ -163,8 +162,7 @@ struct Chain {
     setup.get<ConductionParameters>()->integrator = integrator;
     setup.get<ConductionParameters>()->initial_temperature = 300;
     setup.get<ConductionParameters>()->broken_bonds = choice;
-    setup.get<RuptureParameters>() = RuptureParameters{};
-    setup.get<RuptureParameters>()->strain = 0.01;
+    setup.get<RuptureParameters>() = breaking_at_strain(0.01);
     setup.all<ImposedTemperatureParameters>() = {
         {"hot", face(0, false), TimeFunction::constant(400)},
         {"cold", face(0, true), TimeFunction::constant(300)}};

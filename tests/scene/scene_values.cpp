@@ -242,16 +242,16 @@ TEST(Scene, laws_of_bonds_take_parameters_as_numbers_and_as_stresses) {
                    "[rupture]\nlaw = \"mohr-coulomb\"\ntensile_strength = \"6 GPa\"\n"
                    "cohesion_strain = 0.004\nminimal_bonds = 2\n");
   const Scene scene = read_text_scene(text);
-  const auto& voce = std::get<VoceHardening>(scene.setup.plasticity->hardening);
-  EXPECT_EQ(scene.setup.plasticity->law, FlowRule::scaled_offset);
+  const auto& voce = std::get<VoceHardening>(scene.setup.get<PlasticityParameters>()->hardening);
+  EXPECT_EQ(scene.setup.get<PlasticityParameters>()->law, FlowRule::scaled_offset);
   EXPECT_DOUBLE_EQ(voce.yield_strain, 0.002);
   EXPECT_DOUBLE_EQ(voce.saturation_strain, 0.003);
   EXPECT_DOUBLE_EQ(voce.plastic_scale, 0.01);
-  const auto& law = std::get<MohrCoulombRupture>(scene.setup.rupture->law);
+  const auto& law = std::get<MohrCoulombRupture>(scene.setup.get<RuptureParameters>()->law);
   EXPECT_DOUBLE_EQ(law.tensile_strain, 0.003);
   EXPECT_DOUBLE_EQ(law.cohesion_strain, 0.004);
   EXPECT_DOUBLE_EQ(law.friction_coefficient, 0);
-  EXPECT_EQ(scene.setup.rupture->minimal_bonds, 2);
+  EXPECT_EQ(scene.setup.get<RuptureParameters>()->minimal_bonds, 2);
 }
 
 }  // namespace
