@@ -8,7 +8,7 @@
 #ifndef SOLIDEM_LAWS_RUPTURE_LAW_HPP
 #define SOLIDEM_LAWS_RUPTURE_LAW_HPP
 
-#include <limits>
+#include <cmath>
 
 #include "laws/algebra.hpp"
 #include "laws/bond_law.hpp"
@@ -16,7 +16,7 @@
 namespace solidem {
 
 /// A limit that is never reached.
-inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+inline constexpr double unlimited = HUGE_VAL;
 
 template <class Real>
 constexpr Real smaller_of(const Real& a, const Real& b) {

@@ -14,7 +14,6 @@
 #define SOLIDEM_LAWS_YIELD_LAW_HPP
 
 #include <type_traits>
-#include <utility>
 
 #include "laws/dual.hpp"
 
@@ -29,27 +28,26 @@ struct YieldState {
 
 namespace detail {
 
+template <class Law>
+inline constexpr const Law* any_law = nullptr;  // never looked at
+
 template <class Law, class Real, class = void>
 struct OffersSlope : std::false_type {};
 template <class Law, class Real>
 struct OffersSlope<Law, Real,
-                   std::void_t<decltype(std::declval<Law>().slope(
-                       std::declval<Real>(), std::declval<YieldState<Real>>()))>> : std::true_type {
-};
+                   std::void_t<decltype(any_law<Law>->slope(Real{0.0}, YieldState<Real>{}))>>
+    : std::true_type {};
 
 template <class Law, class Real, class = void>
 struct OffersReturn : std::false_type {};
 template <class Law, class Real>
-struct OffersReturn<
-    Law, Real,
-    std::void_t<decltype(std::declval<Law>().returned(std::declval<Real>(), std::declval<Real>()))>>
+struct OffersReturn<Law, Real, std::void_t<decltype(any_law<Law>->returned(Real{0.0}, Real{0.0}))>>
     : std::true_type {};
 
 template <class Law, class Real, class = void>
 struct OffersTotalLimit : std::false_type {};
 template <class Law, class Real>
-struct OffersTotalLimit<
-    Law, Real, std::void_t<decltype(std::declval<Law>().total_limit(std::declval<Real>()))>>
+struct OffersTotalLimit<Law, Real, std::void_t<decltype(any_law<Law>->total_limit(Real{0.0}))>>
     : std::true_type {};
 
 }  // namespace detail

@@ -231,7 +231,8 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
   }
   if (beam.contact_ratio > 0.0 && !beam.may_break())
     words.fail(
-        "contact needs rupture_stress or rupture_strain or rupture: only broken bonds have contacts");
+        "contact needs rupture_stress or rupture_strain or rupture: only broken bonds have "
+        "contacts");
   if (std::isfinite(beam.rebonding_pressure) && beam.contact_ratio == 0.0)
     words.fail("rebonding_pressure needs contact: only contacts make bonds anew");
   if (std::isfinite(beam.rebonding_pressure) && beam.plasticity == SolidemBeam::SCALED_OFFSET)
