@@ -95,7 +95,7 @@ bool read_parameter(Words& words, const solidem::BondLawParameter<Law>& paramete
   if (!as_stress && !words.is_next(parameter.name)) return false;
   const std::string name = words.word("a name");
   const double value = parameter.bound == solidem::LawBound::above_zero ? words.positive(name)
-                                                                      : words.not_negative(name);
+                                                                        : words.not_negative(name);
   law.*parameter.member = as_stress ? value / young_modulus : value;
   return true;
 }
