@@ -151,8 +151,11 @@ EffectKind list_kind(const std::string& section, BindKeys<Parameters> keys,
   };
   kind.explain = [keys](const Setup& setup, const Specimen&, nlohmann::ordered_json& list) {
     EmptyReading empty;
-    for (Parameters parameters : setup.all<Parameters>())
-      append_values(keys(parameters, empty.reading), list);
+    Parameters shown;
+    for (const Parameters& parameters : setup.all<Parameters>()) {
+      shown = parameters;
+      append_values(keys(shown, empty.reading), list);
+    }
   };
   return kind;
 }
