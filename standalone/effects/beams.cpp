@@ -27,11 +27,12 @@ void set_slot(Model& model, const Column& column, std::size_t row, int lane,
     model.data(column)[Model::at_slot(column, row, lane, k)] = components[k];
 }
 
-/// A slot of a bond, as load_bond() reads it.
+/// A slot of a bond, as load_bond() reads it: 0 of a column that nobody asked for.
 struct SlotReader {
   std::size_t row;
   int lane;
   double number(const double* column, int components = 1, int component = 0) const {
+    if (column == nullptr) return 0;
     return column[(static_cast<std::size_t>(components) * row +
                    static_cast<std::size_t>(component)) *
                       lanes +
