@@ -43,7 +43,9 @@ class Gravity : public Effect {
       push(model, step, static_cast<std::int32_t>(i), mass_[i] * field_);
       const Vector moved{after[i][0] - before[i][0], after[i][1] - before[i][1],
                          after[i][2] - before[i][2]};
-      work[i] += mass_[i] * dot(field_, moved);
+      const double done = mass_[i] * dot(field_, moved);
+      work[i] += done;
+      work_ += done;
     }
     ++steps_;
   }
@@ -55,8 +57,8 @@ class Gravity : public Effect {
     observation.add("steps_under_gravity", static_cast<double>(steps_));
   }
 
-  double work() const override { return 1e300; }  // gives what it likes
-  void state(Archive& archive) override { archive(steps_); }
+  double work() const override { return work_; }
+  void state(Archive& archive) override { archive(steps_, work_); }
   void summarise(const Model& model, Summary& summary) const override {
     summary["gravity_work"] = sum(model);
   }
@@ -71,6 +73,7 @@ class Gravity : public Effect {
   Vector field_;
   std::vector<double> mass_;
   std::int64_t steps_ = 0;
+  double work_ = 0;  ///< J, since the start
 };
 
 std::vector<Key> gravity_keys(GravityParameters& p, Reading& /*reading*/) {
@@ -177,8 +180,14 @@ TEST_F(EffectOfAProgram, ItsSectionIsReadAsStrictlyAsAnyOther) {
             std::string::npos);
   EXPECT_NE(complaint(replaced(falling, "field", "feld")).find("did you mean field"),
             std::string::npos);
-  const std::string alone = replaced(falling, body.substr(body.find("[beams]")), "");
-  EXPECT_NE(complaint(alone + "[conduction]\ninitial_temperature = \"300 K\"\n"), "");
+  const std::string still = replaced(
+      replaced(falling, body.substr(body.find("[beams]")),
+               "[conduction]\ninitial_temperature = \"300 K\"\n[run]\nsteps = 1\n"),
+      "[material]\n",
+      "[material]\nspecific_heat_capacity = \"880 J/(kg K)\"\nconductivity = \"134 W/(m K)\"\n");
+  EXPECT_NE(complaint(still).find("[gravity]: nothing moves; expected a section [beams]"),
+            std::string::npos)
+      << complaint(still);
 }
 
 }  // namespace
