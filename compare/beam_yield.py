@@ -15,7 +15,7 @@ from compare.references import cyclic_stress, scaled_offset_stress
 from compare.result import CodeFailure, Floats
 from compare.row import Measured, Plot, Series
 from compare.runs import View
-from contrib.yade.prepared import Plasticity
+from contrib.prepared import Plasticity
 
 #: Largest change of strain between two poses, over the yield strain.
 STEP = 0.05

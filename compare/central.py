@@ -31,14 +31,15 @@ def _path(view: View, result: Result) -> tuple[Floats, Floats]:
     return (rest + moved) / rest, -history_column(result, f"grip.{RIGHT}.force_x")
 
 
-def _equations(view: View, closeness: Floats) -> Floats:
+def _equations(view: View, compression_ratio: Floats) -> Floats:
     """The force of the law's equations, N."""
     forces, specimen = view.job.parameters.central_forces, view.job.specimen
     if forces is None:
         raise CodeFailure("the scene has no central forces")
     limit = forces.range * specimen.radius.sum()
-    rest = np.full(len(closeness), specimen.rest_length[0])
-    return interaction_of(forces).force(closeness * rest, rest, np.full(len(closeness), limit))
+    rest = np.full(len(compression_ratio), specimen.rest_length[0])
+    return interaction_of(forces).force(compression_ratio * rest, rest,
+                                        np.full(len(compression_ratio), limit))
 
 
 @dataclass(frozen=True)
@@ -107,9 +108,9 @@ def pair_force(view: View) -> Measured:
 @measure
 def neighbours_changed(view: View) -> Measured:
     """How far a run falls short of rearranging: 1 less the largest change of the number of pairs
-    within the range, over `share` (option) of those at the start; or 0."""
+    within the range, over `fraction` (option) of those at the start; or 0."""
     pairs = history_column(view.tested, "interactions")
-    change, wanted = float(np.ptp(pairs)), float(view.option("share")) * float(pairs[0])
+    change, wanted = float(np.ptp(pairs)), float(view.option("fraction")) * float(pairs[0])
     if not wanted > 0:
         raise CodeFailure("no pair is within the range at the start")
     return Measured(max(0.0, 1 - change / wanted),

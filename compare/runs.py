@@ -20,7 +20,7 @@ from compare.codes.base import Code, Job
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure, Result
 from compare.row import RunLine
-from contrib.yade.prepared import PreparedError, parse_parameters, read_specimen
+from contrib.prepared import PreparedError, parse_parameters, read_specimen
 
 Say = Callable[[str], None]
 

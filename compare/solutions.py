@@ -29,7 +29,7 @@ class Solution:
     """A field, and the coordinate along which profiles are drawn."""
 
     temperature: Field  #: positions (N, 3), m, and time, s -> (N,) K
-    coordinate: Field  #: positions, time -> (N,) share of the way through the body, 0 to 1
+    coordinate: Field  #: positions, time -> (N,) fraction of the way through the body, 0 to 1
     label: str  #: of that coordinate
     time_scale: float  #: L²/α, s
     scale: float  #: largest temperature difference, K

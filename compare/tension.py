@@ -15,9 +15,9 @@ from compare.runs import View
 
 #: Lasting strain at which a curve is said to yield (σ_0.2).
 LASTING = 0.002
-#: A bar is torn when this share of its largest stress is left.
+#: A bar is torn when this fraction of its largest stress is left.
 LEFT_WHEN_TORN = 0.5
-#: The elastic slope is fitted up to this share of the largest stress.
+#: The elastic slope is fitted up to this fraction of the largest stress.
 ELASTIC_SHARE = 0.2
 
 
@@ -84,8 +84,8 @@ def crossing(strain: Floats, stress: Floats, modulus: float, strain_0: float, st
     if not len(over) or over[0] == 0:
         raise CodeFailure("the curve does not leave the elastic line by 0.2 %")
     a, b = over[0] - 1, over[0]
-    share = beyond[a] / (beyond[a] - beyond[b])
-    return float(stress[a] + share * (stress[b] - stress[a]))
+    fraction = beyond[a] / (beyond[a] - beyond[b])
+    return float(stress[a] + fraction * (stress[b] - stress[a]))
 
 
 def curve_of(view: View) -> Curve:
@@ -217,13 +217,13 @@ def difference_after_rupture(view: View) -> Measured:
     spread (largest less least) of the group's specimens there. Option: `column`."""
     name = view.option("column")
     own, rows = [], []
-    share = np.linspace(0, 1, 400)
+    fraction = np.linspace(0, 1, 400)
     for member in view.members:
         steps, a, b = _shared(member)
-        grid = _first_rupture(member.other) + share * (
+        grid = _first_rupture(member.other) + fraction * (
             steps[-1] - _first_rupture(member.other))
         own.append(np.abs(np.interp(grid, steps, a) - np.interp(grid, steps, b)).mean())
-        rows.append(np.interp(share * steps[-1], steps, b))
+        rows.append(np.interp(fraction * steps[-1], steps, b))
     if len(rows) < 2:
         raise CodeFailure("a spread needs two specimens at least")
     spread = float(np.ptp(np.array(rows), axis=0).mean())

@@ -80,8 +80,8 @@ def _curve(view: View, result: Result) -> tuple[Floats, Floats]:
 
 def _part(view: View, x: Floats) -> Floats:
     """Rows with x in [`from`, `to`] (options), as part of the largest |x|."""
-    share = np.abs(x) / float(np.abs(x).max())
-    rows: Floats = np.flatnonzero((share >= view.option("from")) & (share <= view.option("to")))
+    fraction = np.abs(x) / float(np.abs(x).max())
+    rows: Floats = np.flatnonzero((fraction >= view.option("from")) & (fraction <= view.option("to")))
     if len(rows) < 5:
         raise CodeFailure(f"{len(rows)} rows of the history lie in the part to be measured; "
                           "5 are needed")

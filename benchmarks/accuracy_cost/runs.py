@@ -21,9 +21,9 @@ from compare.codes.base import Code, Job
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure, Result
 from compare.runs import replace_words, table_text
-from contrib.yade.prepared import PreparedError, parse_parameters, read_specimen
+from contrib.prepared import PreparedError, parse_parameters, read_specimen
 
-#: A time step as a share of the true limit of the very body, in place of the criterion's.
+#: A time step as a fraction of the true limit of the very body, in place of the criterion's.
 STEP_OF_LIMIT = re.compile(r"^time_step_of_limit = ([0-9.]+)$", re.MULTILINE)
 
 
@@ -199,14 +199,14 @@ class Bench:
         """The scene as codes get it: its specimen a file, its time step a number."""
         text = text.replace(table_text(text, "specimen"), f'[specimen]\nfile = "{specimen}"\n\n')
         scene = self._work / "scene.toml"
-        if share := STEP_OF_LIMIT.search(text):
+        if fraction := STEP_OF_LIMIT.search(text):
             probe = STEP_OF_LIMIT.sub("time_step_ratio = 0.1", text)
             if probe not in self._limits:
                 scene.write_text(probe)
                 told = self._standalone.call(["explain", scene, "--json"], self._work / "limit",
                                              timeout)
                 self._limits[probe] = float(json.loads(told.read_text())["time_step"]["limit"])
-            step = float(share.group(1)) * self._limits[probe]
+            step = float(fraction.group(1)) * self._limits[probe]
             text = STEP_OF_LIMIT.sub(f'time_step = "{step:.12g} s"', text)
         scene.write_text(text)
         return scene

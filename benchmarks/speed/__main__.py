@@ -25,7 +25,7 @@ from compare.codes.liggghts import Liggghts
 from compare.codes.standalone import Standalone
 from compare.codes.yade import Yade
 from compare.result import CodeFailure
-from contrib.yade.prepared import parse_parameters, read_specimen
+from contrib.prepared import parse_parameters, read_specimen
 
 HERE = Path(__file__).resolve().parent
 

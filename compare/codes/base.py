@@ -12,7 +12,7 @@ from typing import Any, Protocol, Sequence
 
 import numpy as np
 from compare.result import CodeFailure, Floats, Result
-from contrib.yade.prepared import Parameters, Plasticity, Specimen
+from contrib.prepared import Parameters, Plasticity, Specimen
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -56,7 +56,7 @@ class Mesh:
 def source_lines(plate: MovingDisc, mesh: Mesh, increment: float) -> tuple[str, str]:
     """Amplitudes, and the loads that use them: a body heat flux for each column of bricks.
 
-    The value at the end of an increment is the mean over it of the share of the column that is
+    The value at the end of an increment is the mean over it of the fraction of the column that is
     inside the disc, so that the heat given is that of the disc.
     """
     nx, ny, nz = mesh.cells
@@ -64,11 +64,11 @@ def source_lines(plate: MovingDisc, mesh: Mesh, increment: float) -> tuple[str, 
     lower = mesh.lower[:2] + np.stack([i, j], axis=1) * mesh.size[:2]
     steps = round(plate.duration / increment)
     moments = [(s + f) * increment for s in range(steps) for f in (0.125, 0.375, 0.625, 0.875)]
-    share = np.array([plate.share_heated(t, lower, lower + mesh.size[:2]) for t in moments])
-    share = share.reshape(steps, 4, -1).mean(axis=1)
+    fraction = np.array([plate.fraction_heated(t, lower, lower + mesh.size[:2]) for t in moments])
+    fraction = fraction.reshape(steps, 4, -1).mean(axis=1)
     amplitudes, loads = "", ""
-    for column in np.flatnonzero(share.max(axis=0) > 0):
-        values = np.r_[share[0, column], share[:, column]]
+    for column in np.flatnonzero(fraction.max(axis=0) > 0):
+        values = np.r_[fraction[0, column], fraction[:, column]]
         pairs = [f"{s * increment:.12g}, {v:.9g}" for s, v in enumerate(values)]
         amplitudes += f"*AMPLITUDE, NAME=A{column}\n" + "".join(
             ", ".join(pairs[n:n + 4]) + ",\n" for n in range(0, len(pairs), 4))

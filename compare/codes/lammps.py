@@ -18,7 +18,7 @@ import numpy as np
 from compare.codes.base import Job, TwoSpheres, run_program
 from compare.codes.dump import read_dump, read_rows
 from compare.result import CodeFailure, Floats, Result
-from contrib.yade.prepared import CentralForces, PreparedError, Specimen
+from contrib.prepared import CentralForces, PreparedError, Specimen
 
 #: Types, when each element is one: a line of the script for each pair of them.
 MOST_TYPES = 300

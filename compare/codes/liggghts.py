@@ -18,7 +18,7 @@ from compare.codes.dump import read_dump, read_rows
 from compare.result import CodeFailure, Floats, Result
 from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, central_lines, full,
                                      heat_lines, sphere_density, write_data)
-from contrib.yade.prepared import Beams, Parameters, PreparedError, Specimen
+from contrib.prepared import Beams, Parameters, PreparedError, Specimen
 
 BUILD = ROOT / "contrib" / "liggghts" / "build_prebuilt"
 
@@ -56,7 +56,7 @@ CENTRAL = {
     "dissipated_energy": "f_solidem_central[3]",
     "interactions": "f_solidem_central[1]",
     "largest_interpenetration": "f_solidem_central[2]",
-    "lips": "f_damage[1]",
+    "crack_faces": "f_damage[1]",
     "removed": "f_damage[2]",
 }
 
@@ -66,7 +66,7 @@ def _motion_columns(parameters: Parameters) -> dict[str, str]:
     if forces := parameters.central_forces:
         damage = parameters.damage
         absent = set() if forces.dissipation else {"dissipated_energy"}
-        absent |= set() if damage and damage.lip is not None else {"lips"}
+        absent |= set() if damage and damage.crack_threshold is not None else {"crack_faces"}
         absent |= set() if damage and damage.minimal_neighbours else {"removed"}
         return {name: words for name, words in CENTRAL.items() if name not in absent}
     rupture, contact = parameters.rupture, parameters.contact
@@ -82,8 +82,8 @@ def _damage_columns(parameters: Parameters) -> dict[str, tuple[str, ...]]:
     """What frames tell of cracks, and LIGGGHTS' words for it."""
     columns: dict[str, tuple[str, ...]] = {}
     damage = parameters.damage
-    if damage and damage.lip is not None:
-        columns["lip"] = ("f_damage[1]",)
+    if damage and damage.crack_threshold is not None:
+        columns["crack_face"] = ("f_damage[1]",)
     if damage and damage.minimal_neighbours:
         columns["removed"] = ("f_damage[3]",)
     return columns

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from compare.codes.base import ROOT, Job, TwoSpheres, read_loads, run_program
 from compare.result import CodeFailure, Floats, Result, read_result
-from contrib.yade.prepared import Plasticity
+from contrib.prepared import Plasticity
 
 
 def _default_program() -> Path:

@@ -13,7 +13,7 @@ import numpy as np
 from compare.codes.base import ROOT, Job, TwoSpheres, read_loads, run_program
 from compare.result import CodeFailure, Floats, Result, read_result
 from contrib.yade.beam_law import law_of, path_loads
-from contrib.yade.prepared import Beams, Plasticity, Specimen
+from contrib.prepared import Beams, Plasticity, Specimen
 
 SCRIPTS = ROOT / "contrib" / "yade"
 

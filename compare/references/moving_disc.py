@@ -43,8 +43,8 @@ class MovingDisc:
         """α, m²/s."""
         return self.conductivity / (self.density * self.specific_heat_capacity)
 
-    def share_heated(self, time: float, lower: Floats, upper: Floats, lines: int = 32) -> Floats:
-        """(N,) share of each rectangle from `lower` to `upper` (N, 2), m, inside the disc.
+    def fraction_heated(self, time: float, lower: Floats, upper: Floats, lines: int = 32) -> Floats:
+        """(N,) fraction of each rectangle from `lower` to `upper` (N, 2), m, inside the disc.
 
         Chords of the disc along x, Gauss points across.
         """

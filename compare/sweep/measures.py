@@ -38,11 +38,11 @@ def slope(curve: Curve, lower: float, upper: float) -> float:
     return float(np.polyfit(x, y, 1)[0])
 
 
-def departure(curve: Curve, lower: float, upper: float, share: float) -> float:
+def departure(curve: Curve, lower: float, upper: float, fraction: float) -> float:
     """x from which y stays further than a share below the line that fits it between two x."""
     part = (curve.x >= lower) & (curve.x <= upper)
     line = np.polyval(np.polyfit(curve.x[part], curve.y[part], 1), curve.x)
-    near = np.nonzero((curve.y >= (1 - share) * line) & (curve.x > upper))[0]
+    near = np.nonzero((curve.y >= (1 - fraction) * line) & (curve.x > upper))[0]
     return float(curve.x[near[-1]]) if len(near) else math.nan
 
 
@@ -56,10 +56,10 @@ def peak_place(curve: Curve) -> float:
     return float(curve.x[curve.y.argmax()])
 
 
-def fall_place(curve: Curve, share: float) -> float:
-    """x at which y has fallen to a share of its peak, between the rows; not a number if never."""
+def fall_place(curve: Curve, fraction: float) -> float:
+    """x at which y has fallen to a fraction of its peak, between the rows; not a number if never."""
     top = int(curve.y.argmax())
-    level = share * curve.y[top]
+    level = fraction * curve.y[top]
     below = np.nonzero(curve.y[top:] < level)[0]
     if not len(below):
         return math.nan
@@ -69,13 +69,13 @@ def fall_place(curve: Curve, share: float) -> float:
 
 
 def fall_length(curve: Curve, start: float, end: float) -> float:
-    """Length in x of the fall from one share of the peak to another."""
+    """Length in x of the fall from one fraction of the peak to another."""
     return fall_place(curve, end) - fall_place(curve, start)
 
 
-def plateau(curve: Curve, share: float) -> float:
-    """Length in x over which y is at least a share of its peak, from first to last."""
-    high = curve.x[curve.y >= share * curve.y.max()]
+def plateau(curve: Curve, fraction: float) -> float:
+    """Length in x over which y is at least a fraction of its peak, from first to last."""
+    high = curve.x[curve.y >= fraction * curve.y.max()]
     return float(high.max() - high.min())
 
 
@@ -104,15 +104,15 @@ def loop_peak(curve: Curve, cycle: int, period: float) -> float:
     return float(part.y.max()) if len(part.y) else math.nan
 
 
-def loop_slope(curve: Curve, cycle: int, period: float, share: float = 0.1) -> float:
-    """Slope of y right after x has turned at its largest of a cycle: over a share of its span."""
+def loop_slope(curve: Curve, cycle: int, period: float, fraction: float = 0.1) -> float:
+    """Slope of y right after x has turned at its largest of a cycle: over a fraction of its span."""
     part = _cycle(curve, cycle, period)
     if not len(part.x):
         return math.nan
     top = int(part.x.argmax())
     span = part.x.max() - part.x.min()
     x, y = part.x[top:], part.y[top:]
-    back = np.nonzero(x < part.x[top] - share * span)[0]
+    back = np.nonzero(x < part.x[top] - fraction * span)[0]
     end = int(back[0]) if len(back) else len(x)
     return float(np.polyfit(x[:end], y[:end], 1)[0]) if end >= 3 else math.nan
 

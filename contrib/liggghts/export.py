@@ -24,9 +24,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from contrib.yade.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # noqa: E402
-                                   Grip, Integers, Parameters, Plasticity, PreparedError, Rupture,
-                                   Specimen, parse_parameters, read_specimen)
+from contrib.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # noqa: E402
+                              Grip, Integers, Parameters, Plasticity, PreparedError, Rupture,
+                              Specimen, parse_parameters, read_specimen)
 
 
 def full(value: float) -> str:
@@ -191,7 +191,9 @@ def pair_words(forces: CentralForces) -> str:
 
 def damage_words(damage: Damage) -> str:
     """What fix solidem/damage says, after the style's name."""
-    words = [] if damage.lip is None else ["lip", full(damage.lip), "every", str(damage.every)]
+    words: list[str] = []
+    if damage.crack_threshold is not None:
+        words = ["crack_threshold", full(damage.crack_threshold), "every", str(damage.every)]
     if damage.minimal_neighbours:
         words += ["minimal_neighbours", str(damage.minimal_neighbours),
                   "removal_every", str(damage.removal_every)]

@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from contrib.yade.prepared import Beams, Plasticity, Rupture, Specimen
+    from contrib.prepared import Beams, Plasticity, Rupture, Specimen
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -187,8 +187,8 @@ class BeamLaw:
             strain, reached = elastic, flow.strain + h * plastic
             stress, before = (reached + h * elastic) / (1 + h), plastic
         flows = strain > reached
-        share = np.where(flows, stress / np.where(flows, strain, 1), 1.0)
-        return (share, np.where(flows, before + strain - stress, plastic),
+        fraction = np.where(flows, stress / np.where(flows, strain, 1), 1.0)
+        return (fraction, np.where(flows, before + strain - stress, plastic),
                 np.where(flows, stress, elastic))
 
     def respond(self, chord: Floats, of_i: Floats, of_j: Floats) -> Response:
@@ -202,17 +202,17 @@ class BeamLaw:
             start = self._deformation(
                 chord, of_i, of_j,
                 History(bonds.rest_direction, bonds.rest_direction, none, none, none))
-        share, plastic, strain = self._flow(elastic, self._strain(start))
+        fraction, plastic, strain = self._flow(elastic, self._strain(start))
         flows = (plastic > old.strain) & self.intact
 
         def leant(normal: Floats, unmoved: Floats) -> Floats:
-            moved = start.x + share[:, None] * (normal - start.x)
+            moved = start.x + fraction[:, None] * (normal - start.x)
             return np.where(flows[:, None], moved / _norm(moved)[:, None], unmoved)
 
         a_i, a_j = leant(start.a_i, found.a_i), leant(start.a_j, found.a_j)
         left = Deformation(found.x, found.length, a_i, a_j,
-                           np.where(flows, share * start.extension, found.extension),
-                           np.where(flows, share * start.twist, found.twist))
+                           np.where(flows, fraction * start.extension, found.extension),
+                           np.where(flows, fraction * start.twist, found.twist))
         _, u = relative_turn(of_i, of_j)
         column = flows[:, None]
         history = History(
@@ -226,13 +226,13 @@ class BeamLaw:
                  for load in self._loads(left, of_i, of_j)]
         return Response(
             *loads, history, strain, np.where(self.intact, energy, 0.0),
-            self._work(old.strain, history.strain, energy, stored, share, flows, elastic,
+            self._work(old.strain, history.strain, energy, stored, fraction, flows, elastic,
                        self._strain(start)),
             self.intact & ((strain > self.largest_stress)
                            | (strain + history.strain > self.largest_strain)))
 
     def _work(self, plastic_before: Floats, plastic: Floats, energy: Floats, stored: Floats,
-              share: Floats, flows: Flags, elastic: Floats, whole: Floats) -> Floats:
+              fraction: Floats, flows: Flags, elastic: Floats, whole: Floats) -> Floats:
         """Work of the loads that remain along the flow, 2 p (1 − p) U of the energy U before it, with
         half of what they gain by hardening on the way. The scaled offset may fall: it loses all of
         the energy but what this step strained it beyond the largest strain, which flowed."""
@@ -245,7 +245,7 @@ class BeamLaw:
             work = stored - energy - beyond**2 * stored
         else:
             mean = 1 + (limit + h * plastic_before) / (limit + h * plastic)
-            work = mean * share * (1 - share) * stored
+            work = mean * fraction * (1 - fraction) * stored
         return np.where(flows, work, 0.0)
 
     def keep(self, response: Response) -> None:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from contrib.yade.central_law import Interaction
-    from contrib.yade.prepared import CentralForces, Damage, Specimen
+    from contrib.prepared import CentralForces, Damage, Specimen
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -70,12 +70,12 @@ class Response:
 
     @property
     def potential(self) -> float:
-        """Energy of all pairs, J; of lips that only push, as if they attracted, too."""
+        """Energy of all pairs, J; of crack faces that only push, as if they attracted, too."""
         return float(self.interaction.potential(self.distance, self.equilibrium, self.limit).sum())
 
 
 class CentralBody:
-    """A body whose elements interact by central forces, with its neighbours, lips and removals."""
+    """A body whose elements interact by central forces, with its neighbours, crack faces and removals."""
 
     def __init__(self, specimen: Specimen, interaction: Interaction, forces: CentralForces,
                  damage: Damage | None = None):
@@ -88,15 +88,15 @@ class CentralBody:
         self.rest_length = specimen.rest_length
         count = len(specimen.radius)
         self.removed: Flags = np.zeros(count, dtype=bool)
-        self.barycentre: Floats = np.zeros((count, 3))  #: of lips, from the element, m; else 0
+        self.barycentre: Floats = np.zeros((count, 3))  #: of crack faces, from the element, m; else 0
         self.deepest = 0.0  #: largest (δ_eq − δ)/δ_eq so far
         self.rebuilds = 0
         self._listed_at: Floats | None = None
         self._neighbours_at_start: Integers | None = None
 
     @property
-    def lips(self) -> Flags:
-        """(N,) elements that stand on the lip of a crack."""
+    def crack_faces(self) -> Flags:
+        """(N,) elements that stand on the face of a crack."""
         return np.asarray((self.barycentre != 0).any(axis=1))
 
     def _key(self, pairs: Integers) -> Integers:
@@ -143,20 +143,20 @@ class CentralBody:
     def _remove(self, neighbours: Integers) -> Flags:
         """Removes elements that lost neighbours and keep too few; those that went now."""
         assert self.damage is not None and self._neighbours_at_start is not None
-        lonely = ((neighbours < self.damage.minimal_neighbours)
+        isolated = ((neighbours < self.damage.minimal_neighbours)
                   & (neighbours < self._neighbours_at_start) & ~self.removed)
-        self.removed |= lonely
-        return np.asarray(lonely)
+        self.removed |= isolated
+        return np.asarray(isolated)
 
-    def _look_for_lips(self, i: Integers, j: Integers, chord: Floats, within: Flags) -> None:
-        assert self.damage is not None and self.damage.lip is not None
+    def _look_for_crack_faces(self, i: Integers, j: Integers, chord: Floats, within: Flags) -> None:
+        assert self.damage is not None and self.damage.crack_threshold is not None
         total = self._sum(i[within], j[within], chord[within], -chord[within])
         mean = total / np.maximum(self._neighbours(i, j, within), 1)[:, None]
-        is_lip = np.sqrt((mean**2).sum(axis=1)) > self.damage.lip * self.radius
-        self.barycentre = np.where(is_lip[:, None], mean, 0.0)
+        on_face = np.sqrt((mean**2).sum(axis=1)) > self.damage.crack_threshold * self.radius
+        self.barycentre = np.where(on_face[:, None], mean, 0.0)
 
     def _crack(self, step: int, i: Integers, j: Integers, chord: Floats, distance: Floats) -> Flags:
-        """Removals and lips that are due; whether each pair still counts."""
+        """Removals and crack faces that are due; whether each pair still counts."""
         damage, within = self.damage, distance < self._limit
         here = np.ones(len(i), dtype=bool)
         if damage is None:
@@ -168,8 +168,8 @@ class CentralBody:
                     self._neighbours(i, j, within)).any():
                 here = ~self.removed[i] & ~self.removed[j]
                 self._listed_at = None
-        if damage.lip is not None and step % damage.every == 0:
-            self._look_for_lips(i, j, chord, within & here)
+        if damage.crack_threshold is not None and step % damage.every == 0:
+            self._look_for_crack_faces(i, j, chord, within & here)
         return here
 
     def respond(self, step: int, position: Floats, velocity: Floats | None = None) -> Response:
@@ -181,7 +181,7 @@ class CentralBody:
         i, j, chord, distance = i[within], j[within], chord[within], distance[within]
         equilibrium, limit = self._equilibrium[within], self._limit[within]
         force = self.interaction.force(distance, equilibrium, limit)
-        if self.damage is not None and self.damage.lip is not None:
+        if self.damage is not None and self.damage.crack_threshold is not None:
             apart = ((np.einsum("ij,ij->i", self.barycentre[i], chord) < 0)
                      & (np.einsum("ij,ij->i", self.barycentre[j], chord) > 0))
             force = np.where(apart, np.maximum(force, 0.0), force)

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from contrib.yade.prepared import CentralForces
+    from contrib.prepared import CentralForces
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]

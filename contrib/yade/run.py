@@ -16,7 +16,8 @@ import time
 from pathlib import Path
 
 # YADE runs a script as its own __main__, so __file__ is the program, not this file.
-sys.path.insert(0, str(Path(sys.argv[0]).resolve().parent))
+_HERE = Path(sys.argv[0]).resolve().parent
+sys.path[:0] = [str(_HERE), str(_HERE.parent)]
 
 from prepared import Parameters, Specimen, read_parameters, read_specimen  # noqa: E402
 from results import Recorder  # noqa: E402

@@ -80,8 +80,8 @@ class CentralForceScene(MotionScene):
         row["interactions"] = self.found.interactions
         row["largest_interpenetration"] = self.body.deepest
         damage = self.parameters.damage
-        if damage is not None and damage.lip is not None:
-            row["lips"] = int(self.body.lips.sum())
+        if damage is not None and damage.crack_threshold is not None:
+            row["crack_faces"] = int(self.body.crack_faces.sum())
         if damage is not None and damage.minimal_neighbours:
             row["removed"] = int(self.body.removed.sum())
         return row | super()._row()
@@ -89,8 +89,8 @@ class CentralForceScene(MotionScene):
     def _frame(self) -> dict[str, Floats]:
         frame = super()._frame()
         damage = self.parameters.damage
-        if damage is not None and damage.lip is not None:
-            frame["lip"] = self.body.lips.astype(float)
+        if damage is not None and damage.crack_threshold is not None:
+            frame["crack_face"] = self.body.crack_faces.astype(float)
         if damage is not None and damage.minimal_neighbours:
             frame["removed"] = self.body.removed.astype(float)
         return frame

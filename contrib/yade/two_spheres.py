@@ -15,7 +15,8 @@ import sys
 from pathlib import Path
 
 # YADE runs a script as its own __main__, so __file__ is the program, not this file.
-sys.path.insert(0, str(Path(sys.argv[0]).resolve().parent))
+_HERE = Path(sys.argv[0]).resolve().parent
+sys.path[:0] = [str(_HERE), str(_HERE.parent)]
 
 import numpy as np  # noqa: E402
 from beams import BeamScene  # noqa: E402

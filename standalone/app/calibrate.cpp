@@ -117,16 +117,16 @@ Json uncertainty_of(const Calibration& found) {
   Json json = Json::object();
   if (found.figures.size() < 2) return json;
   for (const auto& [key, spread] : spreads(found.figures)) {
-    const double share = spread.deviation / spread.mean;
-    if (key == "young_modulus") json[key] = share * found.bonds.beams.young_modulus;
+    const double fraction = spread.deviation / spread.mean;
+    if (key == "young_modulus") json[key] = fraction * found.bonds.beams.young_modulus;
     if (key == "poisson_ratio" && found.poisson_slope != 0)
       json["poisson_parameter"] = spread.deviation / std::abs(found.poisson_slope);
     if (const LinearHardening* hardening = linear_hardening(found.bonds);
         key == "yield_stress" && hardening != nullptr)
-      json["yield_strain"] = share * hardening->yield_strain;
+      json["yield_strain"] = fraction * hardening->yield_strain;
     if (const std::optional<double> strain = rupture_strain(found.bonds);
         key == "rupture_strain" && strain)
-      json["rupture_strain"] = share * *strain;
+      json["rupture_strain"] = fraction * *strain;
   }
   return json;
 }

@@ -8,7 +8,7 @@
 #include "app/commands.hpp"
 #include "model/error.hpp"
 #include "scene/body.hpp"
-#include "solve/orthotropic_calibration.hpp"
+#include "solve/calibration/orthotropic_calibration.hpp"
 #include "specimen/bonds.hpp"
 
 namespace solidem {

@@ -12,7 +12,7 @@
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
 #include "scene/body.hpp"
-#include "solve/heat_integrator.hpp"
+#include "solve/heat/heat_integrator.hpp"
 
 namespace solidem {
 

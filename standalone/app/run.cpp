@@ -17,7 +17,7 @@
 #include "output/progress.hpp"
 #include "scene/body.hpp"
 #include "scene/fingerprint.hpp"
-#include "solve/heat_integrator.hpp"
+#include "solve/heat/heat_integrator.hpp"
 
 namespace solidem {
 

@@ -14,9 +14,9 @@
 #include "output/summary.hpp"
 #include "output/trajectory.hpp"
 #include "scene/body.hpp"
-#include "solve/finite_equilibrium.hpp"
-#include "solve/modes.hpp"
-#include "solve/static_grips.hpp"
+#include "solve/statics/finite_equilibrium.hpp"
+#include "solve/statics/modes.hpp"
+#include "solve/statics/static_grips.hpp"
 
 namespace solidem {
 
@@ -71,9 +71,9 @@ Equilibrium find_equilibrium(const StaticScene& body, const SolveCommand& comman
     return small_equilibrium(body.network, body.conditions.constraints, body.conditions.loads);
   FiniteOptions options;
   if (!command.quiet)
-    options.report = [](double share, int corrections, double residual) {
+    options.report = [](double fraction, int corrections, double residual) {
       fmt::print("  {:6.4f} of the loads and displacements after {} corrections, residual {:.2g}\n",
-                 share, corrections, residual);
+                 fraction, corrections, residual);
       std::fflush(stdout);
     };
   return finite_equilibrium(body.network, body.conditions.constraints, body.conditions.loads,

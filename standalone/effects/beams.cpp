@@ -59,7 +59,7 @@ Watch BeamDemands::watch() const {
 
 BondNeeds BeamDemands::needs(bool periodic) const {
   const bool since_made = plasticity && plasticity->law == FlowRule::scaled_offset;
-  return {turning(),
+  return {has_rotation(),
           watch() == Watch::remembering,
           since_made,
           !beams_are_alike(elasticity),
@@ -69,7 +69,7 @@ BondNeeds BeamDemands::needs(bool periodic) const {
 
 std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool periodic) {
   std::vector<const Column*> asked = {&columns::pose, &columns::velocity, &columns::inverse_mass};
-  if (demands.turning())
+  if (demands.has_rotation())
     asked.insert(asked.end(), {&columns::angular_velocity, &columns::inverse_inertia});
   if (demands.watch() == Watch::remembering) asked.push_back(&columns::plastic_work);
   for (const BondColumn& kept : bond_columns)
@@ -95,7 +95,7 @@ Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model&
     poses[0][8 * i + 1] = p.y;
     poses[0][8 * i + 2] = p.z;
     inverse_mass[i] = 1 / mass[i];
-    if (demands_.turning())
+    if (demands_.has_rotation())
       model.data(columns::inverse_inertia)[i] = 1 / sphere_inertia(mass[i], specimen.radius[i]);
   }
 
@@ -168,13 +168,13 @@ std::vector<TimeStepCriterion> Beams::time_step_criteria(const Model& model) con
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
     const Bond b = bond(columns_now, i, j, row, lane);
     axial = std::max(axial, inverse_mass[i] / b.rest_length() * b.rigidity().axial);
-    if (!demands_.turning()) return;
+    if (!demands_.has_rotation()) return;
     const double inertia = model.data(columns::inverse_inertia)[i] / b.rest_length();
     bending = std::max(bending, inertia * b.rigidity().bending / 2);
     torsion = std::max(torsion, inertia * b.rigidity().torsion);
   });
   std::vector<TimeStepCriterion> criteria{{"axial stiffness of the beams", 1 / std::sqrt(axial)}};
-  if (demands_.turning()) {
+  if (demands_.has_rotation()) {
     criteria.push_back({"bending stiffness of the beams", 1 / std::sqrt(bending)});
     criteria.push_back({"torsional stiffness of the beams", 1 / std::sqrt(torsion)});
   }
@@ -227,7 +227,7 @@ BeamMotion Beams::motion(Model& model) const {
   };
   BeamMotion motion{};
   motion.watch = demands_.watch();
-  motion.has_rotation = demands_.turning();
+  motion.has_rotation = demands_.has_rotation();
   motion.single_precision = demands_.elasticity.precision == BeamParameters::Precision::mixed;
   motion.length_unit = mean_radius_;
   motion.first_row = model.slots().first_row();
@@ -330,14 +330,14 @@ void Beams::observe(const Model& model, Observation& observation) const {
 
   const double* velocity = model.data(columns::velocity);
   const double* inverse_mass = model.data(columns::inverse_mass);
-  const bool turning = demands_.turning();
-  const double* spin = turning ? model.data(columns::angular_velocity) : nullptr;
-  const double* inverse_inertia = turning ? model.data(columns::inverse_inertia) : nullptr;
+  const bool has_rotation = demands_.has_rotation();
+  const double* spin = has_rotation ? model.data(columns::angular_velocity) : nullptr;
+  const double* inverse_inertia = has_rotation ? model.data(columns::inverse_inertia) : nullptr;
   const std::size_t elements = model.elements();
   motion.force.resize(elements);
   motion.moment.resize(elements);
   motion.velocity.resize(elements);
-  motion.angular_velocity.resize(turning ? elements : 0);
+  motion.angular_velocity.resize(has_rotation ? elements : 0);
   motion.kinetic_energy = 0;
   for (std::size_t i = 0; i < elements; ++i) {
     if (!(inverse_mass[i] > 0)) continue;  // removed
@@ -345,7 +345,7 @@ void Beams::observe(const Model& model, Observation& observation) const {
     Vector& v = motion.velocity[i];
     v = lanes_vector(velocity, at) + (observation.behind * inverse_mass[i]) * motion.force[i];
     motion.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
-    if (!turning) continue;
+    if (!has_rotation) continue;
     Vector& w = motion.angular_velocity[i];
     w = lanes_vector(spin, at) + (observation.behind * inverse_inertia[i]) * motion.moment[i];
     motion.kinetic_energy += 0.5 * dot(w, w) / inverse_inertia[i];

@@ -23,7 +23,7 @@ struct BeamDemands {
   /// What the hot loop must look out for.
   Watch watch() const;
   BondNeeds needs(bool periodic) const;
-  bool turning() const { return elasticity.law != BeamParameters::Law::spring; }
+  bool has_rotation() const { return elasticity.law != BeamParameters::Law::spring; }
 };
 
 /// What a setup asks of its bonds; it must have some.

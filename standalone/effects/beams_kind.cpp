@@ -13,16 +13,16 @@ namespace solidem {
 
 namespace {
 
-Rule direction(Vector& place) {
+Rule direction(Vector& target) {
   const std::string expected = "three numbers [x, y, z], not all zero";
-  return {expected, [&place, expected](const Value& value) {
+  return {expected, [&target, expected](const Value& value) {
             const std::vector<Value> entries = value.entries(3, expected);
             Vector v{};
             for (int k = 0; k < 3; ++k)
               component(v, k) = read_number(entries[static_cast<std::size_t>(k)], anything);
             const double length = norm(v);
             if (!(length > 0) || !std::isfinite(length)) value.refuse("no direction", expected);
-            place = (1 / length) * v;
+            target = (1 / length) * v;
           }};
 }
 
@@ -131,7 +131,7 @@ std::vector<Key> beams_keys(BeamParameters& p, Reading& /*reading*/) {
           .means("G of the beams; not for springs")
           .without("or this"),
       may_have("shear_coefficient", number(p.shear_coefficient, Range{0, 1, false, true}))
-          .means("share of the section that bears shear, of Timoshenko beams"),
+          .means("fraction of the section that bears shear, of Timoshenko beams"),
       must_have("radius_ratio", number(p.radius_ratio, positive))
           .means("radius of a beam as a multiple of"),
       may_have("radius_from", choice<RadiusFrom>(p.radius_from, {{"mean", RadiusFrom::mean},
@@ -167,7 +167,7 @@ void finish_beams(const Section& section, BeamParameters& p, Reading& /*reading*
 }
 
 std::string beam_kernel(const BeamDemands& demands, bool periodic) {
-  std::string kernel = demands.turning() ? "move_beams" : "move_beams, springs";
+  std::string kernel = demands.has_rotation() ? "move_beams" : "move_beams, springs";
   if (demands.watch() == Watch::remembering)
     kernel += demands.needs(periodic).measured_since_made ? ", scaled offset" : ", radial return";
   if (demands.watch() == Watch::watched) kernel += ", brittle";

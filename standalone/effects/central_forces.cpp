@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "laws/central_interaction.hpp"
-#include "laws/crack_lip.hpp"
+#include "laws/crack_face.hpp"
 #include "model/error.hpp"
 #include "model/lane_vectors.hpp"
 
@@ -37,11 +37,12 @@ bool change(const CentralForceParameters& parameters) {
 
 std::vector<const Column*> CentralForces::columns(const CentralForceParameters& parameters,
                                                   bool cracks, bool periodic) {
-  std::vector<const Column*> asked = {&columns::place, &columns::velocity, &columns::inverse_mass};
+  std::vector<const Column*> asked = {&columns::position, &columns::velocity,
+                                      &columns::inverse_mass};
   if (are_remembered(parameters)) asked.push_back(&columns::rest_length);
-  if (change(parameters)) asked.push_back(&columns::listed_place);
+  if (change(parameters)) asked.push_back(&columns::listed_position);
   if (parameters.dissipation)
-    asked.insert(asked.end(), {&columns::carried_velocity, &columns::dissipated_energy});
+    asked.insert(asked.end(), {&columns::velocity_for_neighbours, &columns::dissipated_energy});
   if (cracks) asked.push_back(&columns::barycentre);
   if (periodic) asked.push_back(&columns::image_shift);
   return asked;
@@ -52,7 +53,7 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
     : parameters_(parameters), model_(model) {
   const Specimen& specimen = model.specimen();
   if (change(parameters_)) skin_ = parameters_.skin.value_or(default_skin) * mean_radius(specimen);
-  double* buffers[] = {model.data(columns::place), model.next(columns::place)};
+  double* buffers[] = {model.data(columns::position), model.next(columns::position)};
   double* inverse_mass = model.data(columns::inverse_mass);
   for (std::size_t i = 0; i < specimen.size(); ++i) {
     const Vector& p = specimen.position[i];
@@ -87,25 +88,25 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
       initial_distance_.push_back(equilibrium);
       std::visit(
           [&](const auto& law) {
-            const double share = parameters_.interpenetration;
+            const double fraction = parameters_.interpenetration;
             const double at_rest = bare_force(law, equilibrium, equilibrium).stiffness;
             const double deepest =
-                bare_force(law, (1 - share) * equilibrium, equilibrium).stiffness;
+                bare_force(law, (1 - fraction) * equilibrium, equilibrium).stiffness;
             stiffens_ = stiffens_ || deepest > at_rest;
             largest_deep_stiffness = std::max({largest_deep_stiffness, at_rest, deepest});
             largest_stiffness = std::max(
-                largest_stiffness, central_force(law, share, distance, equilibrium).stiffness);
+                largest_stiffness, central_force(law, fraction, distance, equilibrium).stiffness);
             smallest_stiffness_ = std::min(smallest_stiffness_, at_rest);
-            depth_ = std::max(depth_, -central_potential(law, share, parameters_.range * radii,
+            depth_ = std::max(depth_, -central_potential(law, fraction, parameters_.range * radii,
                                                          equilibrium, equilibrium));
           },
           parameters_.law);
     }
   if (largest_stiffness > 0)
     stiffening_ = std::max(1.0, largest_deep_stiffness / largest_stiffness);
-  if (model.has(columns::listed_place))
+  if (model.has(columns::listed_position))
     for (std::size_t i = 0; i < specimen.size(); ++i)
-      set_lanes_vector(model.data(columns::listed_place), Model::at(columns::listed_place, i),
+      set_lanes_vector(model.data(columns::listed_position), Model::at(columns::listed_position, i),
                        specimen.position[i]);
   fill_slots();
 }
@@ -115,9 +116,9 @@ void CentralForces::fill_slots() {
   Neighbourhood found;
   if (change(parameters_)) {
     std::vector<Vector> position(specimen.size());
-    const double* listed = model_.data(columns::listed_place);
+    const double* listed = model_.data(columns::listed_position);
     for (std::size_t i = 0; i < position.size(); ++i)
-      position[i] = lanes_vector(listed, Model::at(columns::listed_place, i));
+      position[i] = lanes_vector(listed, Model::at(columns::listed_position, i));
     found = find_neighbours(specimen.domain, position, specimen.radius, parameters_.range, skin_,
                             absent_, kernels().pick_near);
   }
@@ -162,14 +163,14 @@ void CentralForces::fill_slots() {
 void CentralForces::search() {
   if (!parameters_.skin) choose_skin();
   steps_since_ = 0;
-  const double* places = model_.data(columns::place);
-  double* listed = model_.data(columns::listed_place);
+  const double* positions = model_.data(columns::position);
+  double* listed = model_.data(columns::listed_position);
   for (std::size_t i = 0; i < model_.elements(); ++i) {
-    const Vector place = row_vector(places + 4 * i);
+    const Vector place = row_vector(positions + 4 * i);
     if (!std::isfinite(place.x + place.y + place.z))
       throw RunError("the run diverged: element " + std::to_string(i) +
                      " stands at no finite place any more");
-    set_lanes_vector(listed, Model::at(columns::listed_place, i), place);
+    set_lanes_vector(listed, Model::at(columns::listed_position, i), place);
   }
   fill_slots();
 }
@@ -185,8 +186,8 @@ void CentralForces::choose_skin() {
     return size * size * size * (1 + search_cost / std::max(1.0, 0.5 * skin / step));
   };
   double best = skin_;
-  for (const double share : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0})
-    if (cost(share * radius) < cost(best)) best = share * radius;
+  for (const double fraction : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0})
+    if (cost(fraction * radius) < cost(best)) best = fraction * radius;
   skin_ = best;
 }
 
@@ -194,12 +195,12 @@ void CentralForces::keep_neighbours() {
   if (!change(parameters_)) return;
   bool moved = list_outdated_;
   const std::vector<std::int32_t>& driven = model_.driven();
-  const double* places = model_.data(columns::place);
-  const double* listed = model_.data(columns::listed_place);
+  const double* positions = model_.data(columns::position);
+  const double* listed = model_.data(columns::listed_position);
   for (std::size_t k = 0; k < driven.size() && !moved; ++k) {
     const auto i = static_cast<std::size_t>(driven[k]);
-    const Vector away =
-        row_vector(places + 4 * i) - lanes_vector(listed, Model::at(columns::listed_place, i));
+    const Vector away = row_vector(positions + 4 * i) -
+                        lanes_vector(listed, Model::at(columns::listed_position, i));
     moved = !(dot(away, away) <= 0.25 * skin_ * skin_);
   }
   if (moved) search();
@@ -207,8 +208,8 @@ void CentralForces::keep_neighbours() {
 }
 
 void CentralForces::finish_move(Model& model) const {
-  model.swap(columns::place);
-  if (model.has(columns::carried_velocity)) model.swap(columns::carried_velocity);
+  model.swap(columns::position);
+  if (model.has(columns::velocity_for_neighbours)) model.swap(columns::velocity_for_neighbours);
 }
 
 CentralMotion CentralForces::motion(Model& model) const {
@@ -219,8 +220,8 @@ CentralMotion CentralForces::motion(Model& model) const {
   motion.law = parameters_.law;
   motion.first_row = model.slots().first_row();
   motion.neighbour = model.slots().neighbours();
-  motion.place = model.data(columns::place);
-  motion.next_place = model.next(columns::place);
+  motion.position = model.data(columns::position);
+  motion.next_position = model.next(columns::position);
   motion.velocity = model.data(columns::velocity);
   motion.inverse_mass = model.data(columns::inverse_mass);
   motion.rest_length = where(columns::rest_length);
@@ -229,12 +230,12 @@ CentralMotion CentralForces::motion(Model& model) const {
   motion.interpenetration = parameters_.interpenetration;
   if (parameters_.dissipation) {
     motion.dissipation = *parameters_.dissipation;
-    motion.carried_velocity = model.data(columns::carried_velocity);
-    motion.next_carried_velocity = model.next(columns::carried_velocity);
+    motion.velocity_for_neighbours = model.data(columns::velocity_for_neighbours);
+    motion.next_velocity_for_neighbours = model.next(columns::velocity_for_neighbours);
     motion.dissipated_energy = model.data(columns::dissipated_energy);
   }
   motion.barycentre = where(columns::barycentre);
-  motion.listed_place = where(columns::listed_place);
+  motion.listed_position = where(columns::listed_position);
   motion.listed_margin = 0.5 * skin_;
   return motion;
 }
@@ -245,14 +246,14 @@ void CentralForces::advance(Model& model, const Step& step) {
   CentralMotion common = motion(model);
   common.kick = step.kick;
   common.drift = step.time_step;
-  common.closeness = closeness_;
+  common.compression_ratio = compression_ratio_;
   const auto move = kernels().move_by_central_forces;
   for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
     CentralMotion mine = common;
     move(mine, first, last);
 #pragma omp critical(solidem_central_forces)
     {
-      closeness_ = std::max(closeness_, mine.closeness);
+      compression_ratio_ = std::max(compression_ratio_, mine.compression_ratio);
       list_outdated_ = list_outdated_ || mine.outran;
     }
   });
@@ -261,20 +262,20 @@ void CentralForces::advance(Model& model, const Step& step) {
 void CentralForces::accelerate(Model& model) const {
   CentralMotion still = motion(model);
   still.kick = 1;
-  still.carried_velocity = nullptr;
+  still.velocity_for_neighbours = nullptr;
   still.barycentre = nullptr;
-  still.listed_place = nullptr;
+  still.listed_position = nullptr;
   for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
     CentralMotion mine = still;
     kernels().move_by_central_forces(mine, first, last);
   });
 }
 
-void CentralForces::find_crack_lips(double lip) {
+void CentralForces::find_crack_faces(double threshold) {
   CentralMotion common = motion(model_);
-  common.lip = lip;
+  common.crack_threshold = threshold;
   for_blocks(model_.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
-    kernels().find_crack_lips(common, first, last);
+    kernels().find_crack_faces(common, first, last);
   });
 }
 
@@ -320,7 +321,8 @@ std::vector<Pair> CentralForces::initial_pairs() const {
 }
 
 double CentralForces::largest_interpenetration() const {
-  return closeness_ > 0 ? 1 - 1 / closeness_ : -std::numeric_limits<double>::infinity();
+  return compression_ratio_ > 0 ? 1 - 1 / compression_ratio_
+                                : -std::numeric_limits<double>::infinity();
 }
 
 std::vector<TimeStepCriterion> CentralForces::time_step_criteria(const Model& model) const {
@@ -356,9 +358,9 @@ double CentralForces::releasable_energy(const Model& model) const {
 std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, std::int32_t i,
                                                            std::int32_t j, std::size_t row,
                                                            int lane) const {
-  const double* places = model.data(columns::place);
-  const double* row_i = places + std::ptrdiff_t{4} * i;
-  const double* row_j = places + std::ptrdiff_t{4} * j;
+  const double* positions = model.data(columns::position);
+  const double* row_i = positions + std::ptrdiff_t{4} * i;
+  const double* row_j = positions + std::ptrdiff_t{4} * j;
   Acting pair{};
   pair.chord = row_vector(row_j) - row_vector(row_i);
   if (model.has(columns::image_shift))
@@ -380,14 +382,14 @@ std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, s
         if (!model.has(columns::barycentre)) return;
         const double* barycentre = model.data(columns::barycentre);
         if (pair.push >= 0 ||
-            !on_opposite_lips(row_vector(barycentre + std::ptrdiff_t{4} * i),
-                              row_vector(barycentre + std::ptrdiff_t{4} * j), pair.chord))
+            !on_opposite_faces(row_vector(barycentre + std::ptrdiff_t{4} * i),
+                               row_vector(barycentre + std::ptrdiff_t{4} * j), pair.chord))
           return;
         pair.push = 0;
       },
       parameters_.law);
   if (parameters_.dissipation) {
-    const double* velocity = model.data(columns::carried_velocity);
+    const double* velocity = model.data(columns::velocity_for_neighbours);
     const double drag = dissipative_force(*parameters_.dissipation, pair.chord, 1 / pair.distance,
                                           row_vector(velocity + std::ptrdiff_t{4} * i) -
                                               row_vector(velocity + std::ptrdiff_t{4} * j));
@@ -411,7 +413,7 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   motion.force.assign(count, {});
   // Of each element, so that the sums do not depend on where empty slots stand.
   std::vector<double> energy(count, 0.0), pairs(count, 0.0), power(count, 0.0);
-  std::vector<double> nearest(count, closeness_);
+  std::vector<double> nearest(count, compression_ratio_);
   for_blocks(blocks, 40, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
       model.slots().for_each_in(
@@ -454,8 +456,10 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
     motion.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
   }
   observation.add("interactions", interactions);
-  const double closeness = nearest.empty() ? 0 : *std::max_element(nearest.begin(), nearest.end());
-  observation.add("largest_interpenetration", closeness > 0 ? 1 - 1 / closeness : 0.0);
+  const double compression_ratio =
+      nearest.empty() ? 0 : *std::max_element(nearest.begin(), nearest.end());
+  observation.add("largest_interpenetration",
+                  compression_ratio > 0 ? 1 - 1 / compression_ratio : 0.0);
 }
 
 void CentralForces::summarise(const Model& /*model*/, Summary& summary) const {
@@ -473,9 +477,9 @@ void CentralForces::state(Archive& archive) {
   std::vector<std::int32_t> gone;
   for (std::size_t i = 0; i < absent_.size(); ++i)
     if (absent_[i] != 0) gone.push_back(static_cast<std::int32_t>(i));
-  archive(closeness_, list_outdated_, searches_, steps_since_, skin_, gone);
+  archive(compression_ratio_, list_outdated_, searches_, steps_since_, skin_, gone);
   if (!archive.is_reading()) return;
-  // Neighbours as they were listed then: in the columns of places, which are restored by now.
+  // Neighbours as they were listed then: in the columns of positions, which are restored by now.
   const std::size_t searches = searches_;
   absent_.clear();
   if (!gone.empty()) absent_.assign(model_.elements(), 0);

@@ -22,7 +22,7 @@ namespace solidem {
 /// that is.
 class CentralForces : public Mechanics {
  public:
-  /// Columns that the effect needs; `cracks`: its elements may stand on lips.
+  /// Columns that the effect needs; `cracks`: its elements may stand on crack faces.
   static std::vector<const Column*> columns(const CentralForceParameters& parameters, bool cracks,
                                             bool periodic);
 
@@ -50,8 +50,8 @@ class CentralForces : public Mechanics {
   /// Finds neighbours anew if elements have moved far enough.
   void keep_neighbours();
 
-  /// Tells for every element whether it stands on a lip. `lip`: C.
-  void find_crack_lips(double lip);
+  /// Tells for every element whether it stands on a crack face. `threshold`: C.
+  void find_crack_faces(double threshold);
 
   /// Number of elements within range of each, at the present poses.
   std::vector<int> neighbours_within_range() const;
@@ -62,7 +62,7 @@ class CentralForces : public Mechanics {
   /// The pairs that were neighbours at the start.
   std::vector<Pair> initial_pairs() const;
 
-  /// Deepest overlap that was met, as a share of the equilibrium distance; below 0: none.
+  /// Deepest overlap that was met, as a fraction of the equilibrium distance; below 0: none.
   double largest_interpenetration() const;
   double allowed_interpenetration() const { return parameters_.interpenetration; }
   /// Whether pairs came nearer than the law is followed, and it is stiffer there.
@@ -101,7 +101,7 @@ class CentralForces : public Mechanics {
   double stiffening_ = 1;          ///< stiffness at the deepest overlap over that at the start
   bool stiffens_ = false;          ///< whether the law is stiffer there than at rest
   double smallest_stiffness_ = 0;  ///< at the equilibrium, N/m
-  double closeness_ = 0;           ///< the largest δ_eq/δ met
+  double compression_ratio_ = 0;   ///< the largest δ_eq/δ met
   bool list_outdated_ = false;
   std::size_t searches_ = 0;
   std::int64_t steps_since_ = 0;  ///< the last search

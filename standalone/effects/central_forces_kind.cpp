@@ -17,18 +17,18 @@ using Forces = CentralForceParameters;
 
 template <class Law>
 Rule parameter_rule(Law& law, const LawParameter<Law>& parameter) {
-  double& place = law.*parameter.place;
+  double& target = law.*parameter.place;
   switch (parameter.quantity) {
     case LawQuantity::energy:
-      return quantity(place, dimension::energy, positive);
+      return quantity(target, dimension::energy, positive);
     case LawQuantity::force:
-      return quantity(place, dimension::force, positive);
+      return quantity(target, dimension::force, positive);
     case LawQuantity::stiffness:
-      return quantity(place, dimension::stiffness, positive);
+      return quantity(target, dimension::stiffness, positive);
     case LawQuantity::ratio:
-      return number(place, positive);
+      return number(target, positive);
     case LawQuantity::exponent:
-      return integer(place, 1, 100);
+      return integer(target, 1, 100);
   }
   return {};
 }
@@ -66,9 +66,10 @@ std::vector<Key> common_keys(Forces& p) {
                                                          {"fixed", Forces::Neighbours::fixed}}))
           .means("whoever is within range, or those of the start while within range"),
       may_have("interpenetration", number(p.interpenetration, Range{0, 1, false, false}))
-          .means("the deepest overlap, as a share of the equilibrium distance, that the time step "
-                 "allows for, short of the pole of the law if it has one; deeper, the law goes on "
-                 "along its tangent, and the run tells"),
+          .means(
+              "the deepest overlap, as a fraction of the equilibrium distance, that the time step "
+              "allows for, short of the pole of the law if it has one; deeper, the law goes on "
+              "along its tangent, and the run tells"),
       may_have("dissipation", quantity(p.dissipation, dimension::drag, positive))
           .means("drag on the velocity at which two elements approach or part, within the range")
           .without("none"),
@@ -118,7 +119,7 @@ std::string central_kernel(const Setup& setup, bool periodic) {
   std::string kernel = "move_by_central_forces, ";
   kernel += std::visit([](const auto& law) { return law.name; }, forces.law);
   if (forces.dissipation) kernel += ", dissipation";
-  if (damage && damage->lip) kernel += ", cracks";
+  if (damage && damage->crack_threshold) kernel += ", cracks";
   if (periodic) kernel += ", periodic";
   return kernel;
 }
@@ -127,7 +128,7 @@ void plan_central_forces(const Setup& setup, Plan& plan) {
   const auto& forces = setup.get<Forces>();
   if (!forces) return;
   const auto& damage = setup.get<DamageParameters>();
-  const bool cracks = damage && damage->lip;
+  const bool cracks = damage && damage->crack_threshold;
   plan.effects.push_back(
       {"central forces", "[central_forces]", central_kernel(setup, plan.periodic), Phase::move,
        [forces = *forces](Assembly& assembly) {

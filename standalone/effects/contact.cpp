@@ -36,8 +36,8 @@ bool ElementContacts::must_search(const double* pose) const {
   if (rupture_.broken().size() != broken_then_) return true;
   // Two elements that move towards each other close the skin together.
   const double allowed = 0.25 * skin_ * skin_;
-  for (std::size_t k = 0; k < exposed_.size(); ++k) {
-    const Vector moved = centre_of(pose, exposed_[k]) - searched_at_[k];
+  for (std::size_t k = 0; k < surface_elements_.size(); ++k) {
+    const Vector moved = centre_of(pose, surface_elements_[k]) - searched_at_[k];
     if (dot(moved, moved) > allowed) return true;
   }
   return false;
@@ -46,14 +46,15 @@ bool ElementContacts::must_search(const double* pose) const {
 void ElementContacts::search(const double* pose) {
   const Specimen& specimen = model_.specimen();
   std::map<Pair, const BrokenBond*> once_bonded;
-  exposed_.clear();
+  surface_elements_.clear();
   for (const BrokenBond& bond : rupture_.broken()) {
     if (rupture_.is_removed(bond.pair.i) || rupture_.is_removed(bond.pair.j)) continue;
     once_bonded[bond.pair] = &bond;
-    exposed_.insert(exposed_.end(), {bond.pair.i, bond.pair.j});
+    surface_elements_.insert(surface_elements_.end(), {bond.pair.i, bond.pair.j});
   }
-  std::sort(exposed_.begin(), exposed_.end());
-  exposed_.erase(std::unique(exposed_.begin(), exposed_.end()), exposed_.end());
+  std::sort(surface_elements_.begin(), surface_elements_.end());
+  surface_elements_.erase(std::unique(surface_elements_.begin(), surface_elements_.end()),
+                          surface_elements_.end());
   broken_then_ = rupture_.broken().size();
   const std::vector<Candidate> before = std::move(candidates_);
   const auto was_candidate = [&before](const Pair& pair) {
@@ -64,11 +65,12 @@ void ElementContacts::search(const double* pose) {
   };
   candidates_.clear();
   searched_at_.clear();
-  if (exposed_.empty()) return;
+  if (surface_elements_.empty()) return;
 
   double largest = 0;
-  CellBox box{centre_of(pose, exposed_[0]), centre_of(pose, exposed_[0]), specimen.domain.periodic};
-  for (const std::int32_t e : exposed_) {
+  CellBox box{centre_of(pose, surface_elements_[0]), centre_of(pose, surface_elements_[0]),
+              specimen.domain.periodic};
+  for (const std::int32_t e : surface_elements_) {
     const Vector at = centre_of(pose, e);
     searched_at_.push_back(at);
     largest = std::max(largest, specimen.radius[static_cast<std::size_t>(e)]);
@@ -87,11 +89,11 @@ void ElementContacts::search(const double* pose) {
       component(box.upper, axis) += largest;
     }
   }
-  LinkedCells cells(box, 2 * largest + skin_, exposed_.size());
+  LinkedCells cells(box, 2 * largest + skin_, surface_elements_.size());
   cells.sort(searched_at_);
   cells.for_each_pair(0, cells.cell_count(), [&](std::int32_t a, std::int32_t b, Vector to) {
-    std::int32_t i = exposed_[static_cast<std::size_t>(a)],
-                 j = exposed_[static_cast<std::size_t>(b)];
+    std::int32_t i = surface_elements_[static_cast<std::size_t>(a)],
+                 j = surface_elements_[static_cast<std::size_t>(b)];
     if (i > j) {
       std::swap(i, j);
       to = -to;
@@ -184,7 +186,7 @@ double ElementContacts::stiffening() const {
 }
 
 void ElementContacts::state(Archive& archive) {
-  archive(bonded_anew_, broken_then_, skin_, candidates_, nearer_, exposed_, searched_at_);
+  archive(bonded_anew_, broken_then_, skin_, candidates_, nearer_, surface_elements_, searched_at_);
 }
 
 namespace {

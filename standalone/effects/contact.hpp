@@ -53,9 +53,9 @@ class ElementContacts : public Effect {
   Model& model_;
   std::vector<Candidate> candidates_;  ///< sorted by pair
   std::map<Pair, double> nearer_;      ///< contact distance of pairs that were nearer when found
-  std::vector<std::int32_t> exposed_;  ///< elements that lost a bond, sorted
-  std::vector<Vector> searched_at_;    ///< where they stood when candidates were sought
-  std::size_t broken_then_ = 0;        ///< bonds broken by then
+  std::vector<std::int32_t> surface_elements_;  ///< elements that lost a bond, sorted
+  std::vector<Vector> searched_at_;             ///< where they stood when candidates were sought
+  std::size_t broken_then_ = 0;                 ///< bonds broken by then
   std::size_t bonded_anew_ = 0;
   double skin_ = 0;  ///< m, by which candidates may be apart
 };

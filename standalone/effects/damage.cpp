@@ -13,21 +13,21 @@ namespace solidem {
 Damage::Damage(const DamageParameters& parameters, CentralForces& forces, Model& model)
     : parameters_(parameters), forces_(forces), model_(model) {
   if (parameters_.minimal_neighbours > 0) had_ = forces_.neighbours_within_range();
-  if (parameters_.lip) forces_.find_crack_lips(*parameters_.lip);
+  if (parameters_.crack_threshold) forces_.find_crack_faces(*parameters_.crack_threshold);
 }
 
 void Damage::advance(Model& /*model*/, const Step& /*step*/) {
   ++steps_;
-  const bool looks = parameters_.lip && steps_ % parameters_.every == 0;
+  const bool looks = parameters_.crack_threshold && steps_ % parameters_.every == 0;
   const bool removes =
       parameters_.minimal_neighbours > 0 && steps_ % parameters_.removal_every == 0;
   if (!looks && !removes) return;
   forces_.keep_neighbours();
-  if (removes) remove_lonely();
-  if (looks) forces_.find_crack_lips(*parameters_.lip);
+  if (removes) remove_isolated();
+  if (looks) forces_.find_crack_faces(*parameters_.crack_threshold);
 }
 
-void Damage::remove_lonely() {
+void Damage::remove_isolated() {
   const std::vector<int> have = forces_.neighbours_within_range();
   for (std::size_t i = 0; i < have.size(); ++i) {
     const auto element = static_cast<std::int32_t>(i);
@@ -46,14 +46,14 @@ bool Damage::is_removed(std::int32_t element) const {
 }
 
 void Damage::observe(const Model& model, Observation& observation) const {
-  if (parameters_.lip) {
+  if (parameters_.crack_threshold) {
     const double* barycentre = model.data(columns::barycentre);
-    double lips = 0;
+    double crack_faces = 0;
     for (std::size_t i = 0; i < model.elements(); ++i) {
       const double* b = barycentre + 4 * i;
-      if (b[0] != 0 || b[1] != 0 || b[2] != 0) ++lips;
+      if (b[0] != 0 || b[1] != 0 || b[2] != 0) ++crack_faces;
     }
-    observation.add("lips", lips);
+    observation.add("crack_faces", crack_faces);
   }
   if (parameters_.minimal_neighbours > 0)
     observation.add("removed", static_cast<double>(removed_.size()));
@@ -61,13 +61,13 @@ void Damage::observe(const Model& model, Observation& observation) const {
 
 void Damage::show(const Model& model, Frame& frame) const {
   const std::size_t elements = model.elements();
-  if (tells_lips()) {
-    std::vector<double> lip;
+  if (tells_crack_faces()) {
+    std::vector<double> crack_face;
     for (std::size_t i = 0; i < elements; ++i) {
       const double* b = model.data(columns::barycentre) + 4 * i;
-      lip.push_back(b[0] != 0 || b[1] != 0 || b[2] != 0 ? 1 : 0);
+      crack_face.push_back(b[0] != 0 || b[1] != 0 || b[2] != 0 ? 1 : 0);
     }
-    frame.add("lip", lip);
+    frame.add("crack_face", crack_face);
   }
   if (!removes()) return;
   std::vector<double> removed(elements, 0);
@@ -90,10 +90,10 @@ namespace {
 
 std::vector<Key> damage_keys(DamageParameters& p, Reading& /*reading*/) {
   return {
-      may_have("lip", number(p.lip, positive))
+      may_have("crack_threshold", number(p.crack_threshold, positive))
           .means("C; without it no cracks are told")
           .without("none"),
-      may_have("every", integer(p.every, 1)).means("steps between two looks for lips"),
+      may_have("every", integer(p.every, 1)).means("steps between two looks for crack faces"),
       may_have("minimal_neighbours", integer(p.minimal_neighbours, 1, 1000))
           .means("elements that keep fewer within range, and fewer than at the start, are taken "
                  "out: they stand still and act on nobody")
@@ -102,10 +102,11 @@ std::vector<Key> damage_keys(DamageParameters& p, Reading& /*reading*/) {
 }
 
 void finish_damage(const Section& section, DamageParameters& /*p*/, Reading& /*reading*/) {
-  if (!section.has("lip") && !section.has("minimal_neighbours"))
-    section.refuse("nothing says what is damaged", "lip or minimal_neighbours, or both");
-  if (section.has("every") && !section.has("lip"))
-    section.refuse("every", "no lips are looked for", "a lip beside it");
+  if (!section.has("crack_threshold") && !section.has("minimal_neighbours"))
+    section.refuse("nothing says what is damaged",
+                   "crack_threshold or minimal_neighbours, or both");
+  if (section.has("every") && !section.has("crack_threshold"))
+    section.refuse("every", "no crack faces are looked for", "crack_threshold beside it");
   if (section.has("removal_every") && !section.has("minimal_neighbours"))
     section.refuse("removal_every", "no element is removed", "minimal_neighbours beside it");
 }
@@ -113,7 +114,7 @@ void finish_damage(const Section& section, DamageParameters& /*p*/, Reading& /*r
 void plan_damage(const Setup& setup, Plan& plan) {
   const auto& damage = setup.get<DamageParameters>();
   if (!damage) return;
-  plan.effects.push_back({"damage", "[damage]", damage->lip ? "find_crack_lips" : "",
+  plan.effects.push_back({"damage", "[damage]", damage->crack_threshold ? "find_crack_faces" : "",
                           Phase::after_move, [damage = *damage](Assembly& assembly) {
                             return std::make_unique<Damage>(damage, assembly.need<CentralForces>(),
                                                             assembly.model);
@@ -129,7 +130,7 @@ EffectKind damage_kind() {
   kind.plan = plan_damage;
   kind.example =
       "[damage]\n"
-      "lip = 0.4\n"
+      "crack_threshold = 0.4\n"
       "minimal_neighbours = 3\n"
       "removal_every = 10\n";
   return kind;

@@ -8,8 +8,8 @@
 
 namespace solidem {
 
-/// Micro-cracks among elements under central forces: laws/crack_lip.hpp. Looks at the places that a
-/// step begins with before anyone observes them, so that rows have the forces of that step; and
+/// Micro-cracks among elements under central forces: laws/crack_face.hpp. Looks at the places that
+/// a step begins with before anyone observes them, so that rows have the forces of that step; and
 /// takes out elements that have lost their hold.
 ///
 /// An element that is removed stays where it is, at rest. The energy that cracks take is what the
@@ -20,19 +20,19 @@ class Damage : public Effect {
 
   /// Once after each step, when all elements are in their new places.
   void advance(Model& model, const Step& step) override;
-  /// Numbers of lips and of removed elements.
+  /// Numbers of crack faces and of removed elements.
   void observe(const Model& model, Observation& observation) const override;
   void show(const Model& model, Frame& frame) const override;
   void summarise(const Model& model, Summary& summary) const override;
   void state(Archive& archive) override;
 
-  bool tells_lips() const { return parameters_.lip.has_value(); }
+  bool tells_crack_faces() const { return parameters_.crack_threshold.has_value(); }
   bool removes() const { return parameters_.minimal_neighbours > 0; }
   bool is_removed(std::int32_t element) const;
   std::size_t removed() const { return removed_.size(); }
 
  private:
-  void remove_lonely();
+  void remove_isolated();
 
   DamageParameters parameters_;
   CentralForces& forces_;

@@ -32,8 +32,8 @@ Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
     for (int axis = 0; axis < 3; ++axis)
       if (imposed(axis)) velocity[Model::at(columns::velocity, i, axis)] = 0;
   }
-  if (!model.has(columns::carried_velocity)) return;
-  double* carried = model.data(columns::carried_velocity);
+  if (!model.has(columns::velocity_for_neighbours)) return;
+  double* carried = model.data(columns::velocity_for_neighbours);
   for (const std::int32_t e : elements_)
     for (int axis = 0; axis < 3; ++axis)
       if (imposed(axis)) carried[std::ptrdiff_t{4} * e + axis] = imposed_velocity(axis, 0);
@@ -66,10 +66,11 @@ double Grip::present_mass(const Model& model) const {
 
 void Grip::advance(Model& model, const Step& step) {
   double* velocity = model.data(columns::velocity);
-  const auto places = model.places(), next = model.next_places();
+  const auto positions = model.positions(), next = model.next_positions();
   const double after = step.time + step.time_step;
-  double* carried =
-      model.has(columns::carried_velocity) ? model.next(columns::carried_velocity) : nullptr;
+  double* carried = model.has(columns::velocity_for_neighbours)
+                        ? model.next(columns::velocity_for_neighbours)
+                        : nullptr;
   for (int axis = 0; axis < 3; ++axis) {
     const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
     if (imposed(axis)) {
@@ -98,7 +99,7 @@ void Grip::advance(Model& model, const Step& step) {
         kick(model, step, i, axis, gain);
         // The force at either end of a step works over half of it.
         const double mean_force = 0.5 * (force + control.function(after));
-        work_ += mean_force * mass_[k] / total_mass * (next[i][axis] - places[i][axis]);
+        work_ += mean_force * mass_[k] / total_mass * (next[i][axis] - positions[i][axis]);
       }
     }
   }
@@ -107,7 +108,7 @@ void Grip::advance(Model& model, const Step& step) {
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
     for (int axis = 0; axis < 3; ++axis) spin[Model::at(columns::angular_velocity, i, axis)] = 0;
-    std::copy_n(places[i] + 4, 4, next[i] + 4);
+    std::copy_n(positions[i] + 4, 4, next[i] + 4);
   }
 }
 

@@ -12,20 +12,20 @@ std::vector<WallFace> faces_of(const Assembly& assembly, const std::string& sect
                                const std::string& name, const std::string& wall) {
   const Specimen& specimen = assembly.specimen();
   const auto found = assembly.geometry.walls.find(wall);
-  const std::string place = "[[" + section + "]] \"" + name + "\": wall = \"" + wall + "\"";
+  const std::string target = "[[" + section + "]] \"" + name + "\": wall = \"" + wall + "\"";
   if (found == assembly.geometry.walls.end()) {
     std::string known;
     for (const std::string& other : wall_names(specimen.domain))
       known += (known.empty() ? "" : ", ") + other;
-    throw InputError(place + ": the body has no such wall; expected one of " +
+    throw InputError(target + ": the body has no such wall; expected one of " +
                      (known.empty()
                           ? "those of a shape: this body (" + specimen.domain.shape + ") has none"
                           : known));
   }
   if (found->second.empty())
-    throw InputError(place +
+    throw InputError(target +
                      ": no element reaches it; expected a body that fills its bounds, or a region "
-                     "in place of the wall");
+                     "in target of the wall");
   return found->second;
 }
 
@@ -46,10 +46,10 @@ std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::strin
   return elements;
 }
 
-Rule wall(std::string& place) {
+Rule wall(std::string& target) {
   const std::string expected = "the name of a wall of the body such as \"x_low\" or \"side\"";
-  return {expected, [&place](const Value& value) {
-            place = read_text(value, "the name of a wall such as \"x_low\"");
+  return {expected, [&target](const Value& value) {
+            target = read_text(value, "the name of a wall such as \"x_low\"");
           }};
 }
 

@@ -23,7 +23,7 @@ std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::strin
                                             const Region& region);
 
 /// The name of a wall.
-Rule wall(std::string& place);
+Rule wall(std::string& target);
 
 }  // namespace solidem
 

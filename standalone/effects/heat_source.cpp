@@ -46,9 +46,9 @@ void HeatSource::heated(double time, std::vector<ElementValue>& volumes) const {
     if (!(volume_[i] > 0) || p.x < lower_.x || p.x > upper_.x || p.y < lower_.y || p.y > upper_.y ||
         p.z < lower_.z || p.z > upper_.z)
       continue;
-    const double share =
-        share_inside(parameters_.shape->signed_distance(p, radius_[i]) / radius_[i]);
-    if (share > 0) volumes.push_back({static_cast<std::int32_t>(i), share * volume_[i]});
+    const double fraction =
+        fraction_inside(parameters_.shape->signed_distance(p, radius_[i]) / radius_[i]);
+    if (fraction > 0) volumes.push_back({static_cast<std::int32_t>(i), fraction * volume_[i]});
   }
 }
 
@@ -113,10 +113,10 @@ Shape::Part read_part(const Value& value) {
   return part;
 }
 
-Rule shape(std::optional<Shape>& place) {
+Rule shape(std::optional<Shape>& target) {
   const std::string expected =
       "{ kind = \"sphere\", \"cylinder\" or \"box\", ... }, or an array of these";
-  return {expected, [&place, expected](const Value& value) {
+  return {expected, [&target, expected](const Value& value) {
             Shape read;
             if (value.node().is_table()) {
               read.parts.push_back(read_part(value));
@@ -127,7 +127,7 @@ Rule shape(std::optional<Shape>& place) {
               if (read.parts.front().is_cut_out)
                 value.refuse("begins with a cut-out", "a solid before what is cut out of it");
             }
-            place = read;
+            target = read;
           }};
 }
 

@@ -111,10 +111,10 @@ struct CentralForceParameters {
 
 /// Micro-cracks between elements under central forces, and elements that have lost their hold.
 struct DamageParameters {
-  std::optional<double> lip;         ///< C
-  std::int64_t every = 1;            ///< steps between two looks for lips
-  int minimal_neighbours = 0;        ///< elements that keep fewer within range are removed
-  std::int64_t removal_every = 100;  ///< steps between two such looks
+  std::optional<double> crack_threshold;  ///< C
+  std::int64_t every = 1;                 ///< steps between two looks for crack faces
+  int minimal_neighbours = 0;             ///< elements that keep fewer within range are removed
+  std::int64_t removal_every = 100;       ///< steps between two such looks
 };
 
 /// Two materials that touch imperfectly.

@@ -10,9 +10,10 @@ namespace solidem {
 /// its new place follows, and so does the velocity that its neighbours feel.
 inline void kick(Model& model, const Step& step, std::size_t element, int axis, double gain) {
   model.data(columns::velocity)[Model::at(columns::velocity, element, axis)] += gain;
-  model.next_places()[element][axis] += step.time_step * gain;
-  if (model.has(columns::carried_velocity))
-    model.next(columns::carried_velocity)[4 * element + static_cast<std::size_t>(axis)] += gain;
+  model.next_positions()[element][axis] += step.time_step * gain;
+  if (model.has(columns::velocity_for_neighbours))
+    model.next(columns::velocity_for_neighbours)[4 * element + static_cast<std::size_t>(axis)] +=
+        gain;
 }
 
 /// A force, N, on an element through a step, besides that of its neighbours. An element that was

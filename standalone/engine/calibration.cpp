@@ -28,9 +28,9 @@ using Eigen::Vector3d;
 
 /// Where the search for beams begins that the scene says nothing of. Yielding starts in the most
 /// loaded beams, long before σ_0.2: the yield strain is about half of σ_0.2 / E.
-constexpr double yield_strain_share = 0.53;
+constexpr double yield_strain_fraction = 0.53;
 constexpr double usual_hardening = 0.007;
-constexpr double rupture_strain_share = 1.3;
+constexpr double rupture_strain_fraction = 1.3;
 
 std::vector<double> poisson_ratios(const std::vector<ElasticConstants>& constants) {
   std::vector<double> ratios;
@@ -258,7 +258,7 @@ class Search {
     if (!bonds.plasticity && (targets.yield_stress || targets.peak_stress)) {
       bonds.plasticity = PlasticityParameters{};
       hardening().yield_strain =
-          yield_strain_share *
+          yield_strain_fraction *
           targets.yield_stress.value_or(0.7 * targets.peak_stress.value_or(0)) /
           targets.young_modulus;
     }
@@ -267,7 +267,7 @@ class Search {
     if (targets.rupture_strain) {
       if (!bonds.rupture) bonds.rupture = RuptureParameters{};
       if (!rupture_strain(bonds))
-        rupture().strain = rupture_strain_share * 0.5 *
+        rupture().strain = rupture_strain_fraction * 0.5 *
                            ((*targets.rupture_strain)[0] + (*targets.rupture_strain)[1]);
     }
   }

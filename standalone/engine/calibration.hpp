@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/tension_test.hpp"
-#include "solve/root_search.hpp"
+#include "solve/calibration/root_search.hpp"
 
 namespace solidem {
 

@@ -24,13 +24,13 @@ GaugeSection::GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& 
 }
 
 double GaugeSection::slope(const Model& model, int axis) const {
-  const auto places = model.places();
+  const auto positions = model.positions();
   double mean_place = 0, mean_shift = 0;
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
     const double place = component(model.specimen().position[i], axis);
     mean_place += place;
-    mean_shift += places[i][axis] - place;
+    mean_shift += positions[i][axis] - place;
   }
   const auto count = static_cast<double>(elements_.size());
   mean_place /= count;
@@ -39,7 +39,7 @@ double GaugeSection::slope(const Model& model, int axis) const {
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
     const double place = component(model.specimen().position[i], axis);
-    const double shift = places[i][axis] - place;
+    const double shift = positions[i][axis] - place;
     covariance += (place - mean_place) * (shift - mean_shift);
     variance += (place - mean_place) * (place - mean_place);
   }

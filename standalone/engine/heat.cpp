@@ -2,10 +2,10 @@
 #include "engine/heat.hpp"
 
 #include "effects/selections.hpp"
-#include "engine/heated_model.hpp"
+#include "solve/heat/heated_model.hpp"
 #include "model/error.hpp"
-#include "solve/heat_integrator.hpp"
-#include "solve/relative_conductivity.hpp"
+#include "solve/heat/heat_integrator.hpp"
+#include "solve/calibration/relative_conductivity.hpp"
 
 namespace solidem {
 

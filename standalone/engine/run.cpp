@@ -18,7 +18,7 @@
 #include "output/progress.hpp"
 #include "output/summary.hpp"
 #include "output/trajectory.hpp"
-#include "solve/heat_integrator.hpp"
+#include "solve/heat/heat_integrator.hpp"
 
 namespace solidem {
 
@@ -178,9 +178,9 @@ class Recorder {
     std::vector<Field> fields;
     std::vector<double> position;
     if (model.moves()) {
-      const auto places = model.places();
+      const auto positions = model.positions();
       for (std::size_t i = 0; i < model.elements(); ++i)
-        position.insert(position.end(), places[i], places[i] + 3);
+        position.insert(position.end(), positions[i], positions[i] + 3);
       fields.push_back({"position", 3, position.data()});
       fields.push_back({"velocity", 3, &observation.motion.velocity.data()->x});
     }

@@ -90,7 +90,7 @@ void PointSensor::observe(const Model& model, Observation& observation) const {
     observation.add(name + "temperature", temperature);
     return;
   }
-  const double* place = model.places()[i];
+  const double* place = model.positions()[i];
   const Vector position{place[0], place[1], place[2]};
   if (sensor_.quantity == Sensor::Quantity::position)
     add("position", position);

@@ -17,7 +17,7 @@
 #include "engine/sensors.hpp"
 #include "engine/stability.hpp"
 #include "model/error.hpp"
-#include "solve/heat_integrator.hpp"
+#include "solve/heat/heat_integrator.hpp"
 #include "specimen/bonds.hpp"
 
 namespace solidem {

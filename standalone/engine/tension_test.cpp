@@ -11,7 +11,7 @@ namespace solidem {
 namespace {
 
 constexpr double lasting_strain = 0.002;
-constexpr double share_left_at_rupture = 0.5;
+constexpr double fraction_left_at_rupture = 0.5;
 
 GripParameters grip(const char* name, const TensileBar& bar, bool high_side, double speed) {
   GripParameters grip;
@@ -66,7 +66,7 @@ double find(const HistoryRow& row, const char* name) {
   return std::nan("");
 }
 
-/// Where a line through two points has the ordinate zero, as a share of the way.
+/// Where a line through two points has the ordinate zero, as a fraction of the way.
 double crossing(double before, double after) {
   return before / (before - after);
 }
@@ -84,7 +84,7 @@ TensionFigures figures_of(const std::vector<TensionPoint>& points, double young_
     peak = std::max(peak, p.stress);
     if (k == 0) continue;
     const TensionPoint& q = points[k - 1];
-    const double left = share_left_at_rupture * peak;
+    const double left = fraction_left_at_rupture * peak;
     if (p.stress < left && q.stress >= left) {  // the fall is no yield
       figures.rupture_strain =
           q.elongation + crossing(q.stress - left, p.stress - left) * (p.elongation - q.elongation);
@@ -110,7 +110,7 @@ TensionCurve pull(const BondParameters& bonds, const Specimen& specimen, const T
     curve.points.push_back(point);
     peak = std::max(peak, point.stress);
     const bool is_broken = peak > 0 && simulation.step() > 0 && point.elongation > lasting_strain &&
-                           point.stress < share_left_at_rupture * peak;
+                           point.stress < fraction_left_at_rupture * peak;
     if (is_broken || point.elongation >= test.longest_elongation) break;
     const double interval = point.elongation < test.fine_elongation ? 1e-4 : 1e-3;
     simulation.advance(std::max<std::int64_t>(1, std::llround(interval / elongation_per_step)));

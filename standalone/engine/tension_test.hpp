@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "effects/setup.hpp"
-#include "solve/tensile_bar.hpp"
+#include "solve/calibration/tensile_bar.hpp"
 
 namespace solidem {
 

@@ -23,11 +23,11 @@ void read_face(const Section& section, Region& region) {
 }
 
 /// Three lengths, "any" where the box is open.
-Rule bound(Vector& place) {
-  return triple("a length such as \"0.5 mm\" or \"any\"", [&place](const Value& entry, int k) {
+Rule bound(Vector& target) {
+  return triple("a length such as \"0.5 mm\" or \"any\"", [&target](const Value& entry, int k) {
     const toml::node& node = entry.node();
     if (node.is_string() && node.as_string()->get() == "any") return;  // stays infinite
-    component(place, k) = read_quantity(entry, dimension::length, anything);
+    component(target, k) = read_quantity(entry, dimension::length, anything);
   });
 }
 
@@ -88,8 +88,9 @@ Region read_region(const Value& value, const NamedRegions& named) {
 
 }  // namespace
 
-Rule region(Region& place, const NamedRegions& named) {
-  return {any_region, [&place, &named](const Value& value) { place = read_region(value, named); }};
+Rule region(Region& target, const NamedRegions& named) {
+  return {any_region,
+          [&target, &named](const Value& value) { target = read_region(value, named); }};
 }
 
 Rule sets_section(NamedRegions& named) {

@@ -19,7 +19,7 @@ struct NamedRegions {
 
 /// {axis, side, depth | layers}, {lower, upper}, {set} or {all = true}. `named` must be filled by
 /// the time the rule reads. Sets of the specimen file stay to be found when the file is read.
-Rule region(Region& place, const NamedRegions& named);
+Rule region(Region& target, const NamedRegions& named);
 
 /// [sets]: a region for each name; `set` inside means a set of the specimen file.
 Rule sets_section(NamedRegions& named);

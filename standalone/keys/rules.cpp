@@ -95,38 +95,38 @@ std::string read_text(const Value& value, const std::string& expected) {
   return text;
 }
 
-Rule flag(bool& place) {
+Rule flag(bool& target) {
   return {"true or false",
-          [&place](const Value& value) {
+          [&target](const Value& value) {
             if (!value.node().is_boolean()) value.refuse("neither true nor false", "true or false");
-            place = value.node().as_boolean()->get();
-            value.note(place ? "true" : "false");
+            target = value.node().as_boolean()->get();
+            value.note(target ? "true" : "false");
           },
-          [&place]() -> Shown { return place; }};
+          [&target]() -> Shown { return target; }};
 }
 
-Rule text(std::string& place) {
+Rule text(std::string& target) {
   return {"text in quotes",
-          [&place](const Value& value) { place = read_text(value, "text in quotes"); },
-          [&place]() -> Shown { return place; }};
+          [&target](const Value& value) { target = read_text(value, "text in quotes"); },
+          [&target]() -> Shown { return target; }};
 }
 
-Rule name(std::string& place, std::set<std::string>& taken) {
+Rule name(std::string& target, std::set<std::string>& taken) {
   const std::string expected = "a name of letters, digits, _ and -, different from the others";
-  return {expected, [&place, &taken, expected](const Value& value) {
-            place = read_text(value, expected);
+  return {expected, [&target, &taken, expected](const Value& value) {
+            target = read_text(value, expected);
             const bool is_plain =
-                !place.empty() && place.find_first_not_of(
-                                      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                      "0123456789_-") == std::string::npos;
+                !target.empty() && target.find_first_not_of(
+                                       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                       "0123456789_-") == std::string::npos;
             if (!is_plain) value.refuse("not a name", expected);
-            if (!taken.insert(place).second) value.refuse("the name is taken", expected);
+            if (!taken.insert(target).second) value.refuse("the name is taken", expected);
           }};
 }
 
-Rule path(std::string& place, const std::string& scene_file) {
+Rule path(std::string& target, const std::string& scene_file) {
   const std::string expected = "the path of a file, relative to the folder of the scene";
-  return {expected, [&place, scene_file, expected](const Value& value) {
+  return {expected, [&target, scene_file, expected](const Value& value) {
             const std::string given = text_of(value, expected);
             if (given.empty() || given.find('\0') != std::string::npos)
               value.refuse("not a path", expected);
@@ -135,7 +135,7 @@ Rule path(std::string& place, const std::string& scene_file) {
             if (!std::filesystem::exists(full, error))
               value.refuse("no such file (" + full.string() + ")", expected);
             if (std::filesystem::is_directory(full, error)) value.refuse("a folder", expected);
-            place = full.string();
+            target = full.string();
             value.note("\"" + full.filename().string() + "\"");  // folders may move
           }};
 }
@@ -149,19 +149,19 @@ Rule triple(const std::string& expected_entry,
           }};
 }
 
-Rule vector(Vector& place, const Dimension& dimension, const Range& range) {
-  return triple(describe(dimension, range), [&place, dimension, range](const Value& entry, int k) {
-    component(place, k) = read_quantity(entry, dimension, range);
+Rule vector(Vector& target, const Dimension& dimension, const Range& range) {
+  return triple(describe(dimension, range), [&target, dimension, range](const Value& entry, int k) {
+    component(target, k) = read_quantity(entry, dimension, range);
   });
 }
 
 namespace {
 
-Rule quantities(std::vector<double>& place, const Dimension& dimension, const Range& range) {
+Rule quantities(std::vector<double>& target, const Dimension& dimension, const Range& range) {
   const std::string expected = "an array, each entry " + describe(dimension, range);
-  return {expected, [&place, dimension, range, expected](const Value& value) {
+  return {expected, [&target, dimension, range, expected](const Value& value) {
             for (const Value& entry : value.entries(-1, expected))
-              place.push_back(read_quantity(entry, dimension, range));
+              target.push_back(read_quantity(entry, dimension, range));
           }};
 }
 

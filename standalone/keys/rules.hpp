@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // The kinds of values a scene is made of. Each function makes the rule that reads one kind into a
-// place; an std::optional is a place too.
+// target; an std::optional is a target too.
 #ifndef SOLIDEM_KEYS_RULES_HPP
 #define SOLIDEM_KEYS_RULES_HPP
 
@@ -59,10 +59,10 @@ TemperatureFunction read_property(const Value& value, const Dimension& dimension
 /// function takes lies in the range.
 TimeFunction read_function(const Value& value, const Dimension& dimension, const Range& range);
 
-/// {time, position}: a place that moves.
+/// {time, position}: a target that moves.
 std::array<TimeFunction, 3> read_path(const Section& section);
 
-/// What stands in a place.
+/// What stands in a target.
 template <class Number>
 Shown shown(Number value) {
   if constexpr (std::is_integral_v<Number>)
@@ -70,67 +70,67 @@ Shown shown(Number value) {
   else
     return value;
 }
-template <class Place>
-Shown shown(const std::optional<Place>& value) {
+template <class Target>
+Shown shown(const std::optional<Target>& value) {
   return value ? shown(*value) : Shown{};
 }
 
-template <class Place>
-Rule quantity(Place& place, const Dimension& dimension, const Range& range = anything) {
+template <class Target>
+Rule quantity(Target& target, const Dimension& dimension, const Range& range = anything) {
   return {describe(dimension, range),
-          [&place, dimension, range](const Value& value) {
-            place = read_quantity(value, dimension, range);
+          [&target, dimension, range](const Value& value) {
+            target = read_quantity(value, dimension, range);
           },
-          [&place] { return shown(place); }};
+          [&target] { return shown(target); }};
 }
 
-template <class Place>
-Rule number(Place& place, const Range& range = anything) {
+template <class Target>
+Rule number(Target& target, const Range& range = anything) {
   return {"a number" + range.text(),
-          [&place, range](const Value& value) { place = read_number(value, range); },
-          [&place] { return shown(place); }};
+          [&target, range](const Value& value) { target = read_number(value, range); },
+          [&target] { return shown(target); }};
 }
 
-template <class Place>
-Rule integer(Place& place, std::int64_t lower,
+template <class Target>
+Rule integer(Target& target, std::int64_t lower,
              std::int64_t upper = std::numeric_limits<std::int64_t>::max()) {
   return {"an integer from " + std::to_string(lower),
-          [&place, lower, upper](const Value& value) {
-            place = static_cast<Place>(read_integer(value, lower, upper));
+          [&target, lower, upper](const Value& value) {
+            target = static_cast<Target>(read_integer(value, lower, upper));
           },
-          [&place] { return shown(place); }};
+          [&target] { return shown(target); }};
 }
 
-Rule flag(bool& place);
+Rule flag(bool& target);
 
 /// Text without restriction.
-Rule text(std::string& place);
+Rule text(std::string& target);
 
 /// A name that becomes part of column and group names: letters, digits, _ and -; each once.
-Rule name(std::string& place, std::set<std::string>& taken);
+Rule name(std::string& target, std::set<std::string>& taken);
 
 /// A path, relative to the folder of the scene file.
-Rule path(std::string& place, const std::string& scene_file);
+Rule path(std::string& target, const std::string& scene_file);
 
-inline Rule function(TimeFunction& place, const Dimension& dimension,
+inline Rule function(TimeFunction& target, const Dimension& dimension,
                      const Range& range = anything) {
   return {describe(dimension, range) + ", or a function of time",
-          [&place, dimension, range](const Value& value) {
-            place = read_function(value, dimension, range);
+          [&target, dimension, range](const Value& value) {
+            target = read_function(value, dimension, range);
           }};
 }
 
-inline Rule property(TemperatureFunction& place, const Dimension& dimension,
+inline Rule property(TemperatureFunction& target, const Dimension& dimension,
                      const Range& range = anything) {
   return {describe(dimension, range) + ", or a table {temperature, value}",
-          [&place, dimension, range](const Value& value) {
-            place = read_property(value, dimension, range);
+          [&target, dimension, range](const Value& value) {
+            target = read_property(value, dimension, range);
           }};
 }
 
 /// One of several words.
-template <class Place>
-Rule choice(Place& place, const std::vector<std::pair<std::string, Place>>& words) {
+template <class Target>
+Rule choice(Target& target, const std::vector<std::pair<std::string, Target>>& words) {
   std::vector<std::string> names, quoted;
   for (const auto& word : words) {
     names.push_back(word.first);
@@ -138,25 +138,25 @@ Rule choice(Place& place, const std::vector<std::pair<std::string, Place>>& word
   }
   const std::string expected = (names.size() > 1 ? "one of " : "") + join(quoted);
   return {expected,
-          [&place, words, names, expected](const Value& value) {
+          [&target, words, names, expected](const Value& value) {
             const std::string given = read_text(value, expected);
             for (const auto& word : words) {
               if (word.first != given) continue;
-              place = word.second;
+              target = word.second;
               return;
             }
             value.refuse("unknown" + did_you_mean(given, names), expected);
           },
-          [&place, words]() -> Shown {
+          [&target, words]() -> Shown {
             for (const auto& word : words)
-              if (word.second == place) return word.first;
+              if (word.second == target) return word.first;
             return {};
           }};
 }
 
 /// "x", "y" or "z" as 0, 1 or 2.
-inline Rule axis(int& place) {
-  return choice<int>(place, {{"x", 0}, {"y", 1}, {"z", 2}});
+inline Rule axis(int& target) {
+  return choice<int>(target, {{"x", 0}, {"y", 1}, {"z", 2}});
 }
 
 /// Three entries along x, y, z; `read_entry` reads the one of an axis.
@@ -164,7 +164,7 @@ Rule triple(const std::string& expected_entry,
             const std::function<void(const Value& entry, int axis)>& read_entry);
 
 /// Three quantities.
-Rule vector(Vector& place, const Dimension& dimension, const Range& range = anything);
+Rule vector(Vector& target, const Dimension& dimension, const Range& range = anything);
 
 }  // namespace solidem
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // How a scene file is taken apart. A section lists the keys it may have, each with a rule that
-// reads the value into its place:
+// reads the value into its target:
 //
 //   section.read({
 //       must_have("young_modulus", quantity(beams.young_modulus, dimension::modulus, positive)),
@@ -64,14 +64,14 @@ class Value {
   std::shared_ptr<Record> record_;
 };
 
-/// A value as it stands in its place: none where nothing was given.
+/// A value as it stands in its target: none where nothing was given.
 using Shown = std::variant<std::monostate, double, std::int64_t, bool, std::string>;
 
-/// How one value is read into its place, and what it must be, in words.
+/// How one value is read into its target, and what it must be, in words.
 struct Rule {
   std::string expected;
   std::function<void(const Value&)> read;  ///< refuses what does not follow the rule
-  std::function<Shown()> show{};           ///< the value in its place; null: it is no single value
+  std::function<Shown()> show{};           ///< the value in its target; null: it is no single value
 };
 
 /// A key that a section knows.
@@ -81,7 +81,7 @@ struct Key {
   bool is_required;
   std::string reason;       ///< why a required key is required, when it is not always
   std::string meaning{};    ///< what it says, for the pages
-  std::string otherwise{};  ///< what holds without it, where that is no value of its place
+  std::string otherwise{};  ///< what holds without it, where that is no value of its target
 
   Key means(const std::string& words) const {
     Key key = *this;

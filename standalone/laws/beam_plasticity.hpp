@@ -108,7 +108,7 @@ constexpr Real bound_of_squared_extension(const Real& radius, const Real& shear_
 /// How far a beam flows.
 template <class Real>
 struct PlasticFlow {
-  Real share;           ///< p: what remains of the elastic deformation, 1 where nothing flows
+  Real fraction;        ///< p: what remains of the elastic deformation, 1 where nothing flows
   Real strain;          ///< κ afterwards
   Real elastic_strain;  ///< σ_e / E afterwards
 };
@@ -142,9 +142,9 @@ constexpr PlasticFlow<Real> scaled_offset(const YieldCurve<Law, Real>& yield, co
 /// towards the chord.
 template <class Real>
 constexpr BeamPose<Real> relaxed(const BeamPose<Real>& pose, const Vector3<Real>& direction,
-                                 const Real& share) {
+                                 const Real& fraction) {
   const auto lean = [&](const Vector3<Real>& normal) {
-    Vector3<Real> leant = direction + share * (normal - direction);
+    Vector3<Real> leant = direction + fraction * (normal - direction);
     // Newton's steps for 1 / length from 1: the length is short of that by p (1 − p) θ² / 2.
     for (int n = 0; n < 2; ++n) leant = (Real{1.5} - Real{0.5} * dot(leant, leant)) * leant;
     return leant;
@@ -185,10 +185,10 @@ constexpr BeamResponse<Real> flowed(const YieldCurve<Law, Real>& yield,
                                     const Real& plastic_extension, const Real& energy_before,
                                     const Real& remaining, const Quaternion<Real>& orientation_i,
                                     const Quaternion<Real>& orientation_j) {
-  const BeamPose<Real> pose = relaxed(from, deformation.direction, flow.share);
+  const BeamPose<Real> pose = relaxed(from, deformation.direction, flow.fraction);
   BeamDeformation<Real> left = deformation;
-  left.extension = flow.share * deformation.extension;
-  left.twist = flow.share * deformation.twist;
+  left.extension = flow.fraction * deformation.extension;
+  left.twist = flow.fraction * deformation.twist;
   const Real one{1.0};
   const Real twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
   const Real stress_before = yield.limit(plastic_strain);
@@ -247,7 +247,7 @@ constexpr BeamResponse<Real> radial_return_response(const YieldCurve<Law, Real>&
   if (!any(greater(flow.strain, history.strain)))
     return detail::unflowed(beam, history, pose, deformation, strain, energy);
   return detail::flowed(yield, beam, pose, deformation, flow, history.strain, history.extension,
-                        energy, flow.share, orientation_i, orientation_j);
+                        energy, flow.fraction, orientation_i, orientation_j);
 }
 
 /// The same from where the ends stand.

@@ -6,7 +6,7 @@
 //   force      F = −dΦ/dδ, F > 0 pushes apart                                                 [N]
 //   potential  Φ, of any zero                                                                  [J]
 // Whoever evaluates a law (a kernel, a pair style, a plot) adds what all laws share: the range
-// beyond which there is no force, the continuation at deep overlap, dissipation and crack lips
+// beyond which there is no force, the continuation at deep overlap, dissipation and crack faces
 // (central_interaction.hpp). Stiffness is no function of a law: it is the exact derivative of its
 // force, taken with a dual number.
 #ifndef SOLIDEM_LAWS_CENTRAL_LAW_HPP
@@ -42,7 +42,7 @@ struct Separation {
   Real equilibrium;       ///< δ_eq, m
 
   /// δ_eq / δ
-  constexpr Real closeness() const { return equilibrium * inverse_distance; }
+  constexpr Real compression_ratio() const { return equilibrium * inverse_distance; }
 };
 
 template <class Real>

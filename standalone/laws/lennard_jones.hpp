@@ -27,13 +27,13 @@ struct LennardJones {
 
   template <class Real>
   constexpr Real force(const Separation<Real>& at) const {
-    const Real sixth = power(at.closeness(), 6);
+    const Real sixth = power(at.compression_ratio(), 6);
     return Real{12 * energy} * at.inverse_distance * sixth * (sixth - Real{1.0});
   }
 
   template <class Real>
   constexpr Real potential(const Separation<Real>& at) const {
-    const Real sixth = power(at.closeness(), 6);
+    const Real sixth = power(at.compression_ratio(), 6);
     return Real{energy} * sixth * (sixth - Real{2.0});
   }
 };

@@ -39,7 +39,7 @@ struct Mie {
   template <class Real>
   constexpr Real force(const Separation<Real>& at) const {
     const int m = static_cast<int>(repulsive_exponent), n = static_cast<int>(attractive_exponent);
-    const Real s = at.closeness(), attractive = power(s, n);
+    const Real s = at.compression_ratio(), attractive = power(s, n);
     return Real{m * n * energy / (m - n)} * at.inverse_distance * attractive *
            (power(s, m - n) - Real{1.0});
   }
@@ -47,7 +47,7 @@ struct Mie {
   template <class Real>
   constexpr Real potential(const Separation<Real>& at) const {
     const int m = static_cast<int>(repulsive_exponent), n = static_cast<int>(attractive_exponent);
-    const Real s = at.closeness();
+    const Real s = at.compression_ratio();
     return Real{energy / (m - n)} * power(s, n) * (Real(n) * power(s, m - n) - Real(m));
   }
 };

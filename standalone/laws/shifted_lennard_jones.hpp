@@ -37,13 +37,13 @@ struct ShiftedLennardJones {
 
   template <class Real>
   constexpr Real force(const Separation<Real>& at) const {
-    const Real s = closeness(at), sixth = power(s, 6);
+    const Real s = compression_ratio(at), sixth = power(s, 6);
     return Real{attraction / peak} * s * sixth * (sixth - Real{1.0});
   }
 
   template <class Real>
   constexpr Real potential(const Separation<Real>& at) const {
-    const Real sixth = power(closeness(at), 6);
+    const Real sixth = power(compression_ratio(at), 6);
     return Real{attraction / (12 * peak * slope())} * at.equilibrium * sixth * (sixth - Real{2.0});
   }
 
@@ -54,7 +54,7 @@ struct ShiftedLennardJones {
   constexpr double slope() const { return (q - 1) / (peak_separation - 1); }
   /// s
   template <class Real>
-  constexpr Real closeness(const Separation<Real>& at) const {
+  constexpr Real compression_ratio(const Separation<Real>& at) const {
     return at.equilibrium / (at.equilibrium + Real{slope()} * (at.distance - at.equilibrium));
   }
 };

@@ -40,8 +40,9 @@ inline constexpr Column pose{
     "pose", Site::element, Layout::rows, 8,
     2,      true,          "m, 1",       "centre x y z, spare, orientation quaternion w x y z"};
 /// The same of an element that has no orientation, in half a line.
-inline constexpr Column place{
-    "place", Site::element, Layout::rows, 4, 2, true, "m", "centre x y z, share of the range"};
+inline constexpr Column position{
+    "position", Site::element, Layout::rows, 4,
+    2,          true,          "m",          "centre x y z, fraction of the range"};
 inline constexpr Column velocity{
     "velocity", Site::element, Layout::lanes, 3,
     1,          true,          "m/s",         "half a time step behind the pose"};
@@ -140,8 +141,8 @@ inline constexpr Column image_shift{"image_shift",
                                     false,
                                     "m",
                                     "added to the neighbour's centre across a periodic face"};
-inline constexpr Column carried_velocity{
-    "carried_velocity",
+inline constexpr Column velocity_for_neighbours{
+    "velocity_for_neighbours",
     Site::element,
     Layout::rows,
     4,
@@ -165,15 +166,15 @@ inline constexpr Column barycentre{
     1,
     true,
     "m, 1",
-    "of the neighbours, from the element, where it is a crack's lip, else 0; their number"};
-inline constexpr Column listed_place{"listed_place",
-                                     Site::element,
-                                     Layout::lanes,
-                                     3,
-                                     1,
-                                     true,
-                                     "m",
-                                     "where the element stood when neighbours were sought"};
+    "of the neighbours, from the element, where it is a crack's face, else 0; their number"};
+inline constexpr Column listed_position{"listed_position",
+                                        Site::element,
+                                        Layout::lanes,
+                                        3,
+                                        1,
+                                        true,
+                                        "m",
+                                        "where the element stood when neighbours were sought"};
 inline constexpr Column temperature{"temperature", Site::element, Layout::lanes,   1, 2,
                                     true,          "K",           "of the element"};
 inline constexpr Column inverse_heat_capacity{

@@ -70,21 +70,25 @@ class Model {
   /// Centres of the elements, m: the first three of a row of doubles each, whichever column holds
   /// them.
   template <class Double>
-  struct Places {
+  struct Positions {
     Double* first;
     std::size_t components;
     Double* operator[](std::size_t element) const { return first + components * element; }
   };
-  Places<double> places() { return {data(place_column()), components_of(place_column())}; }
-  Places<const double> places() const {
-    return {data(place_column()), components_of(place_column())};
+  Positions<double> positions() {
+    return {data(position_column()), components_of(position_column())};
+  }
+  Positions<const double> positions() const {
+    return {data(position_column()), components_of(position_column())};
   }
   /// What a step writes of them.
-  Places<double> next_places() { return {next(place_column()), components_of(place_column())}; }
+  Positions<double> next_positions() {
+    return {next(position_column()), components_of(position_column())};
+  }
   /// Whether elements move, and the column of their places.
-  bool moves() const { return has(solidem::columns::pose) || has(solidem::columns::place); }
-  const Column& place_column() const {
-    return has(solidem::columns::place) ? solidem::columns::place : solidem::columns::pose;
+  bool moves() const { return has(solidem::columns::pose) || has(solidem::columns::position); }
+  const Column& position_column() const {
+    return has(solidem::columns::position) ? solidem::columns::position : solidem::columns::pose;
   }
 
   /// Notes elements that others than the forces between elements move, so that whoever keeps lists

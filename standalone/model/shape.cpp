@@ -75,7 +75,7 @@ std::pair<Vector, Vector> Shape::bounds() const {
   return {lower, upper};
 }
 
-double share_inside(double distance_in_radii) {
+double fraction_inside(double distance_in_radii) {
   if (distance_in_radii <= -1) return 1;
   if (distance_in_radii >= 1) return 0;
   const double depth = 1 - distance_in_radii;

@@ -25,8 +25,8 @@ struct Shape {
   std::vector<Part> parts;
 
   /// Distance of a point from the surface, negative inside, m. Exact for one part; of several the
-  /// usual bound, exact in sign. For `share_inside` of a ball around the point, give its radius, m:
-  /// round surfaces then move inwards a little, so that flat cuts leave the volume as it is.
+  /// usual bound, exact in sign. For `fraction_inside` of a ball around the point, give its radius,
+  /// m: round surfaces then move inwards a little, so that flat cuts leave the volume as it is.
   double signed_distance(const Vector& point, double ball_radius = 0) const;
 
   /// Lower and upper corner of a box that holds the solid, m.
@@ -35,7 +35,7 @@ struct Shape {
 
 /// The share of a ball's volume on the inner side of a plane at a signed distance of its centre
 /// (negative inside), in radii of the ball: 1 below −1, 0 above 1.
-double share_inside(double distance_in_radii);
+double fraction_inside(double distance_in_radii);
 
 }  // namespace solidem
 

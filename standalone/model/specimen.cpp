@@ -72,10 +72,11 @@ double mean_radius(const Specimen& specimen) {
 }
 
 std::vector<double> represented_mass(const Specimen& specimen, const std::vector<double>& density) {
-  const double share = specimen.domain.volume / sphere_volume(specimen);
+  const double fraction = specimen.domain.volume / sphere_volume(specimen);
   std::vector<double> mass(specimen.size());
   for (std::size_t i = 0; i < mass.size(); ++i)
-    mass[i] = density[density.size() == 1 ? 0 : i] * share * volume_of_sphere(specimen.radius[i]);
+    mass[i] =
+        density[density.size() == 1 ? 0 : i] * fraction * volume_of_sphere(specimen.radius[i]);
   return mass;
 }
 

@@ -18,9 +18,9 @@ double TemperatureFunction::operator()(double temperature) const {
   if (temperature >= temperature_.back()) return value_.back();
   const auto next = std::upper_bound(temperature_.begin(), temperature_.end(), temperature);
   const auto k = static_cast<std::size_t>(next - temperature_.begin());
-  const double share =
+  const double fraction =
       (temperature - temperature_[k - 1]) / (temperature_[k] - temperature_[k - 1]);
-  return value_[k - 1] + share * (value_[k] - value_[k - 1]);
+  return value_[k - 1] + fraction * (value_[k] - value_[k - 1]);
 }
 
 double TemperatureFunction::integral(double temperature) const {

@@ -16,8 +16,8 @@ double table_value(const std::vector<double>& time, const std::vector<double>& v
   if (next == time.begin()) return value.front();
   if (next == time.end()) return value.back();
   const auto k = static_cast<std::size_t>(next - time.begin());
-  const double share = (t - time[k - 1]) / (time[k] - time[k - 1]);
-  return value[k - 1] + share * (value[k] - value[k - 1]);
+  const double fraction = (t - time[k - 1]) / (time[k] - time[k - 1]);
+  return value[k - 1] + fraction * (value[k] - value[k - 1]);
 }
 
 }  // namespace

@@ -40,16 +40,17 @@ CellBox box_around(const Domain& domain, const std::vector<Vector>& position) {
 /// Moves fragments that have flown apart together again: slabs across an axis that hold no element
 /// are narrowed to twice the reach. Who is within reach stays so, and nobody comes to be.
 void fold(const Domain& domain, double reach, std::vector<Vector>& position) {
-  std::vector<std::pair<double, std::size_t>> places(position.size());
+  std::vector<std::pair<double, std::size_t>> positions(position.size());
   for (int axis = 0; axis < 3; ++axis) {
     if (domain.periodic[static_cast<std::size_t>(axis)]) continue;
-    for (std::size_t i = 0; i < places.size(); ++i) places[i] = {component(position[i], axis), i};
-    std::sort(places.begin(), places.end());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      positions[i] = {component(position[i], axis), i};
+    std::sort(positions.begin(), positions.end());
     double removed = 0;
-    for (std::size_t k = 1; k < places.size(); ++k) {
-      const double gap = places[k].first - places[k - 1].first;
+    for (std::size_t k = 1; k < positions.size(); ++k) {
+      const double gap = positions[k].first - positions[k - 1].first;
       if (gap > 2 * reach) removed += gap - 2 * reach;
-      component(position[places[k].second], axis) -= removed;
+      component(position[positions[k].second], axis) -= removed;
     }
   }
 }
@@ -138,7 +139,9 @@ struct Candidates {
               x.begin() + static_cast<std::ptrdiff_t>(room), nowhere);
   }
 
-  NearPlaces places() const { return {x.data(), y.data(), z.data(), reach.data(), element.size()}; }
+  NearPositions positions() const {
+    return {x.data(), y.data(), z.data(), reach.data(), element.size()};
+  }
 };
 
 /// Periods by which an element stands away from its image in the box.
@@ -154,12 +157,12 @@ std::array<int, 3> periods_away(const Domain& domain, const Vector& position) {
 
 }  // namespace
 
-std::size_t pick_near_places(const NearPlaces& places, double x, double y, double z, double reach,
-                             std::uint32_t* near) {
+std::size_t pick_near_positions(const NearPositions& positions, double x, double y, double z,
+                                double reach, std::uint32_t* near) {
   std::size_t count = 0;
-  for (std::size_t k = 0; k < places.count; ++k) {
-    const double dx = places.x[k] - x, dy = places.y[k] - y, dz = places.z[k] - z;
-    const double limit = places.reach[k] + reach;
+  for (std::size_t k = 0; k < positions.count; ++k) {
+    const double dx = positions.x[k] - x, dy = positions.y[k] - y, dz = positions.z[k] - z;
+    const double limit = positions.reach[k] + reach;
     // Without a branch, which would be mistaken for one in ten.
     near[count] = static_cast<std::uint32_t>(k);
     count += dx * dx + dy * dy + dz * dz <= limit * limit ? 1 : 0;
@@ -215,21 +218,21 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
 #pragma omp parallel for schedule(dynamic) if (count > 5000)
   for (std::ptrdiff_t part = 0; part < parts; ++part) {
     Run& run = runs[static_cast<std::size_t>(part)];
-    const std::size_t share = cell_count / static_cast<std::size_t>(parts);
+    const std::size_t per_part = cell_count / static_cast<std::size_t>(parts);
     const std::size_t rest = cell_count % static_cast<std::size_t>(parts);
     const auto p = static_cast<std::size_t>(part);
-    const std::size_t begin = share * p + std::min(rest, p);
-    const std::size_t end = begin + share + (p < rest ? 1 : 0);
+    const std::size_t begin = per_part * p + std::min(rest, p);
+    const std::size_t end = begin + per_part + (p < rest ? 1 : 0);
     Candidates candidates;
     for (std::size_t cell = begin; cell < end; ++cell) {
       if (cells.first_of(cell) == cells.first_of(cell + 1)) continue;
       candidates.gather(cells, cell, radius, factor, margin, periodic);
-      const NearPlaces places = candidates.places();
+      const NearPositions positions = candidates.positions();
       for (std::size_t r = cells.first_of(cell); r < cells.first_of(cell + 1); ++r) {
         const LinkedCells::Resident& own = cells.resident(r);
         const auto i = static_cast<std::size_t>(own.element);
         if (!absent.empty() && absent[i] != 0) continue;
-        const std::size_t near = pick(places, own.position.x, own.position.y, own.position.z,
+        const std::size_t near = pick(positions, own.position.x, own.position.y, own.position.z,
                                       factor * radius[i], candidates.near.data());
         const std::array<int, 3> away =
             periodic ? periods_away(domain, position[i]) : std::array<int, 3>{};

@@ -46,21 +46,21 @@ struct Neighbourhood {
   std::vector<Image> image;  ///< empty where nothing is periodic
 };
 
-/// Places to choose from, m, and how far each reaches. Room beyond `count` up to a multiple of 8 is
-/// there, with places that are near nothing.
-struct NearPlaces {
+/// Positions to choose from, m, and how far each reaches. Room beyond `count` up to a multiple of 8
+/// is there, with positions that are near nothing.
+struct NearPositions {
   const double *x, *y, *z, *reach;
   std::size_t count;
 };
 
-/// Writes the numbers of the places within the sum of both reaches of x, y, z, in ascending order;
-/// returns how many. `near` has room for `count` and 8 more.
-using PickNear = std::size_t (*)(const NearPlaces& places, double x, double y, double z,
+/// Writes the numbers of the positions within the sum of both reaches of x, y, z, in ascending
+/// order; returns how many. `near` has room for `count` and 8 more.
+using PickNear = std::size_t (*)(const NearPositions& positions, double x, double y, double z,
                                  double reach, std::uint32_t* near);
 
 /// The plain way.
-std::size_t pick_near_places(const NearPlaces& places, double x, double y, double z, double reach,
-                             std::uint32_t* near);
+std::size_t pick_near_positions(const NearPositions& positions, double x, double y, double z,
+                                double reach, std::uint32_t* near);
 
 /// All j, and images of them, with |x_j + shift − x_i| ≤ factor (R_i + R_j) + margin, j ≠ i; the
 /// same on any number of threads. Several images of a neighbour count where a period is short; an
@@ -70,7 +70,7 @@ std::size_t pick_near_places(const NearPlaces& places, double x, double y, doubl
 Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& position,
                               const std::vector<double>& radius, double factor, double margin,
                               const std::vector<char>& absent = {},
-                              PickNear pick = pick_near_places);
+                              PickNear pick = pick_near_positions);
 
 }  // namespace solidem
 

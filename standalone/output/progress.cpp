@@ -71,19 +71,19 @@ void ProgressBar::update(std::int64_t step, Clock::time_point now) {
 }
 
 void ProgressBar::print_bar(std::int64_t step, double seconds_left) {
-  const double share =
+  const double fraction =
       std::clamp(static_cast<double>(step) / static_cast<double>(last_step_), 0.0, 1.0);
-  const int filled = static_cast<int>(bar_width * share);
+  const int filled = static_cast<int>(bar_width * fraction);
   fmt::print(stream_, "\r[{:=<{}}{: <{}}] {:3.0f} %  step {} of {}  {} left\033[K", "", filled, "",
-             bar_width - filled, std::floor(100 * share), step, last_step_,
+             bar_width - filled, std::floor(100 * fraction), step, last_step_,
              duration_text(seconds_left));
   std::fflush(stream_);
   bar_shown_ = true;
 }
 
 void ProgressBar::print_line(std::int64_t step, double seconds_left) {
-  const double share = static_cast<double>(step) / static_cast<double>(last_step_);
-  fmt::print(stream_, "{:.0f} %: step {} of {}, {} left\n", std::floor(100 * share), step,
+  const double fraction = static_cast<double>(step) / static_cast<double>(last_step_);
+  fmt::print(stream_, "{:.0f} %: step {} of {}, {} left\n", std::floor(100 * fraction), step,
              last_step_, duration_text(seconds_left));
   std::fflush(stream_);
 }

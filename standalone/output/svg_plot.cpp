@@ -82,8 +82,8 @@ class Frame {
   static constexpr double width = panel_width - left - right;
   static constexpr double height = panel_height - above - below;
 
-  double x(double value) const { return x_ + width * share(panel_.x, value); }
-  double y(double value) const { return y_ + height * (1 - share(panel_.y, value)); }
+  double x(double value) const { return x_ + width * fraction(panel_.x, value); }
+  double y(double value) const { return y_ + height * (1 - fraction(panel_.y, value)); }
 
   std::string svg(int number) const {
     std::string text = axes();
@@ -105,7 +105,7 @@ class Frame {
   }
 
  private:
-  static double share(const PlotAxis& axis, double value) {
+  static double fraction(const PlotAxis& axis, double value) {
     if (axis.logarithmic)
       return std::log(std::max(value, 1e-300) / axis.low) / std::log(axis.high / axis.low);
     return (value - axis.low) / (axis.high - axis.low);

@@ -7,7 +7,7 @@
 #include "effects/setup.hpp"
 #include "engine/calibration.hpp"
 #include "keys/record.hpp"
-#include "solve/orthotropic_calibration.hpp"
+#include "solve/calibration/orthotropic_calibration.hpp"
 #include "specimen/recipe.hpp"
 
 namespace solidem {

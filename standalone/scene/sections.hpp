@@ -12,7 +12,7 @@
 #include "engine/calibration.hpp"
 #include "keys/regions.hpp"
 #include "keys/section.hpp"
-#include "solve/orthotropic_calibration.hpp"
+#include "solve/calibration/orthotropic_calibration.hpp"
 #include "specimen/recipe.hpp"
 
 namespace solidem {

@@ -62,13 +62,13 @@ void measure_specimen(Specimen& specimen) {
     }
     if (overlap > counted_overlap) ejecting += 1;
   }
-  const double share = bonds > 0 ? 1.0 / bonds : 0.0;
-  report["fabric_x"] = share * fabric.x;
-  report["fabric_y"] = share * fabric.y;
-  report["fabric_z"] = share * fabric.z;
+  const double fraction = bonds > 0 ? 1.0 / bonds : 0.0;
+  report["fabric_x"] = fraction * fabric.x;
+  report["fabric_y"] = fraction * fabric.y;
+  report["fabric_z"] = fraction * fabric.z;
   report["mean_overlap"] = overlapping > 0 ? overlap_sum / overlapping : 0;
   report["max_overlap"] = overlap_max;
-  report["overlap_share"] = share * ejecting;
+  report["overlap_fraction"] = fraction * ejecting;
   report["rattlers"] = static_cast<double>(std::count(degree.begin(), degree.end(), 0));
   report["largest_component"] = static_cast<double>(largest_component(specimen).size());
 
@@ -114,7 +114,7 @@ std::string format_report(const Specimen& specimen) {
   line("overlap of bonds",
        fmt::format("mean {:.3g} %, largest {:.3g} %, above 0.5 %: {:.3g} % of bonds",
                    100 * figure("mean_overlap"), 100 * figure("max_overlap"),
-                   100 * figure("overlap_share")));
+                   100 * figure("overlap_fraction")));
   line("elements without bonds",
        fmt::format("{:.0f} ({:.2f} %)", figure("rattlers"),
                    100 * figure("rattlers") / static_cast<double>(specimen.size())));

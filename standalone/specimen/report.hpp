@@ -15,7 +15,7 @@ namespace solidem {
 ///   bulk_coordination_number   bonds per element farther than 3 R_m from every wall (0: there is
 ///   none) bulk_elements              how many those are fabric_x, _y, _z           diagonal of the
 ///   mean of n ⊗ n, 1/3 each when isotropic mean_overlap, max_overlap  of 1 − d/(R_i+R_j), over
-///   bonds that overlap overlap_share              share of bonds with an overlap above 0.5 %
+///   bonds that overlap overlap_fraction              share of bonds with an overlap above 0.5 %
 ///   rattlers                   elements without a bond
 ///   largest_component          elements in the largest bonded body
 ///   mean_radius                R_m, m

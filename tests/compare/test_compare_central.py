@@ -13,7 +13,7 @@ import pytest
 import compare.central  # noqa: F401  (makes its measures known)
 from compare.measures import MEASURES
 from compare.result import CodeFailure, Frame, Result
-from contrib.yade.prepared import CentralForces, Parameters, Specimen
+from contrib.prepared import CentralForces, Parameters, Specimen
 
 REST, STIFFNESS, ATTRACTION = 2e-4, 1.5e6, 25.0
 FORCES = CentralForces("piecewise", {"stiffness": STIFFNESS, "attraction": ATTRACTION}, 1.5,
@@ -93,12 +93,12 @@ def test_more_than_two_elements_are_no_pair() -> None:
 
 def test_a_body_that_does_not_rearrange_falls_short() -> None:
     pairs = np.full(30, 1000.0)
-    still = view({"share": 0.01}, result({"interactions": pairs}))
+    still = view({"fraction": 0.01}, result({"interactions": pairs}))
     assert MEASURES["neighbours_changed"](still).error == 1
     pairs[10:20] = 1015  # they came and went
     assert MEASURES["neighbours_changed"](still).error == 0
     with pytest.raises(CodeFailure, match="no pair"):
-        MEASURES["neighbours_changed"](view({"share": 0.01}, result({"interactions": 0 * pairs})))
+        MEASURES["neighbours_changed"](view({"fraction": 0.01}, result({"interactions": 0 * pairs})))
 
 
 def bar(peak: float, rupture: float, torn: bool = True) -> Result:

@@ -22,7 +22,7 @@ from compare.result import CodeFailure, Floats, Frame, Result
 from compare.row import Measured
 from compare.runs import CaseRuns, Specimens, View
 from compare.solutions import solution
-from contrib.yade.prepared import Specimen
+from contrib.prepared import Specimen
 
 PLATE = {"length": 0.05, "width": 0.03, "thickness": 0.002, "density": 2790.0,
          "specific_heat_capacity": 880.0, "conductivity": 134.0, "initial_temperature": 298.15,

@@ -49,7 +49,7 @@ def test_moving_disc_is_symmetric_and_converged() -> None:
 
 
 def finite_volumes(plate: MovingDisc, cell: float, until: float) -> np.ndarray:
-    """Temperatures of square cells stepped explicitly, the source by its share of each cell."""
+    """Temperatures of square cells stepped explicitly, the source by its fraction of each cell."""
     shape = (round(plate.length / cell), round(plate.width / cell))
     corner = np.stack(np.meshgrid(np.arange(shape[0]) * cell,
                                   np.arange(shape[1]) * cell - plate.width / 2,
@@ -60,9 +60,9 @@ def finite_volumes(plate: MovingDisc, cell: float, until: float) -> np.ndarray:
     heat = plate.power_density * step / (plate.density * plate.specific_heat_capacity)
     number = plate.diffusivity * step / cell**2
     for n in range(steps):
-        share = plate.share_heated((n + 0.5) * step, corner, corner + cell, lines=4)
+        fraction = plate.fraction_heated((n + 0.5) * step, corner, corner + cell, lines=4)
         around = np.pad(temperature, 1, mode="edge")
-        temperature = temperature + heat * share.reshape(shape) + number * (
+        temperature = temperature + heat * fraction.reshape(shape) + number * (
             around[2:, 1:-1] + around[:-2, 1:-1] + around[1:-1, 2:] + around[1:-1, :-2]
             - 4 * temperature)
     return temperature
@@ -93,13 +93,13 @@ def test_a_disc_that_leaves_the_plate_is_refused() -> None:
         MovingDisc(**{**vars(PLATE), "duration": 8.0})
 
 
-def test_share_of_rectangles_inside_the_disc_sums_to_the_disc() -> None:
+def test_fraction_of_rectangles_inside_the_disc_sums_to_the_disc() -> None:
     cell = 0.5e-3
     x, y = np.meshgrid(np.arange(100) * cell, np.arange(60) * cell - 0.015, indexing="ij")
     lower = np.stack([x.ravel(), y.ravel()], axis=1)
-    share = PLATE.share_heated(2.3, lower, lower + cell)
-    assert share.min() >= 0 and share.max() == pytest.approx(1, abs=1e-12)
-    assert share.sum() * cell**2 == pytest.approx(math.pi * PLATE.disc_radius**2, rel=1e-4)
+    fraction = PLATE.fraction_heated(2.3, lower, lower + cell)
+    assert fraction.min() >= 0 and fraction.max() == pytest.approx(1, abs=1e-12)
+    assert fraction.sum() * cell**2 == pytest.approx(math.pi * PLATE.disc_radius**2, rel=1e-4)
 
 
 def test_layers_are_the_rod() -> None:

@@ -15,7 +15,7 @@ from compare.codes.lammps import Lammps
 from compare.result import CodeFailure
 from contrib.yade.central_body import CentralBody, near_pairs
 from contrib.yade.central_law import interaction_of
-from contrib.yade.prepared import CentralForces, Damage, Grip, Parameters, Specimen
+from contrib.prepared import CentralForces, Damage, Grip, Parameters, Specimen
 
 STEPS = 300
 MIE = CentralForces("mie", {"energy": 2e-4, "repulsive_exponent": 9, "attractive_exponent": 5}, 1.3,
@@ -92,7 +92,7 @@ def test_motion_is_that_of_the_law(tmp_path: Path, style: str, spread: float,
     (replace(MIE, dissipation=1.0), {}, "dissipation"),
     (replace(MIE, neighbours="fixed"), {}, "neighbours"),
     (CentralForces("piecewise", {"stiffness": 1e6, "attraction": 1.0}, 1.3), {}, "piecewise"),
-    (MIE, {"damage": Damage(lip=0.4)}, "damage"),
+    (MIE, {"damage": Damage(crack_threshold=0.4)}, "damage"),
     (MIE, {"unsupported": ("grip left: varies",)}, "grip left: varies"),
     (None, {}, "central forces alone"),
 ])

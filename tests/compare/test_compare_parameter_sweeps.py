@@ -105,7 +105,7 @@ scale = 0.01
 [[measure]]
 name = "snap"
 kind = "fall_place"
-options = { share = 0.5 }
+options = { fraction = 0.5 }
 [[check]]
 vary = "stiffness"
 measure = "peak"
@@ -300,16 +300,16 @@ def test_measures_of_a_curve_that_is_known():
     curve = Curve(time_, x, y, {"z": x * 2})
     assert measured("slope", curve, {"lower": 0.0, "upper": 0.2}) == pytest.approx(10)
     # 5 % below 10 x: where 3 = .95 * 10 x
-    assert measured("departure", curve, {"lower": 0.0, "upper": 0.2, "share": 0.05}
+    assert measured("departure", curve, {"lower": 0.0, "upper": 0.2, "fraction": 0.05}
                     ) == pytest.approx(0.3 / 0.95, abs=0.002)
     assert measured("peak", curve, {}) == pytest.approx(3)
-    assert measured("fall_place", curve, {"share": 0.5}) == pytest.approx(0.75)
+    assert measured("fall_place", curve, {"fraction": 0.5}) == pytest.approx(0.75)
     assert measured("fall_length", curve, {"start": 0.9, "end": 0.5}) == pytest.approx(0.12)
-    assert measured("plateau", curve, {"share": 0.9}) == pytest.approx(0.36, abs=0.002)
+    assert measured("plateau", curve, {"fraction": 0.9}) == pytest.approx(0.36, abs=0.002)
     assert measured("value_at", curve, {"x": 0.1505}) == pytest.approx(1.505)
     assert measured("largest", curve, {"column": "z"}) == pytest.approx(2)
     assert measured("largest", curve, {"column": "none"}) == 0
-    assert math.isnan(measured("fall_place", Curve(time_, x, x, {}), {"share": 0.5}))
+    assert math.isnan(measured("fall_place", Curve(time_, x, x, {}), {"fraction": 0.5}))
     assert measured("ripple", Curve(time_, x, 1 + 2 * x + 3 * x**2, {}),
                     {"lower": 0.1, "upper": 0.9}) == pytest.approx(0, abs=1e-12)
 

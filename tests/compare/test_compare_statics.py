@@ -19,7 +19,7 @@ import compare.slender_beams  # noqa: F401  (makes its measures known)
 from compare.measures import MEASURES
 from compare.references import cantilever_frequencies
 from compare.result import CodeFailure, Result
-from contrib.yade.prepared import Beams, Parameters, Plasticity, Specimen
+from contrib.prepared import Beams, Parameters, Plasticity, Specimen
 
 COUNT, RADIUS, YOUNG, MASS = 40, 1e-3, 70e9, 2e-5
 

@@ -6,7 +6,7 @@
 #include <omp.h>
 
 #include "effects/kernels/kernels.hpp"
-#include "laws/crack_lip.hpp"
+#include "laws/crack_face.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {
@@ -15,7 +15,7 @@ namespace {
 constexpr double range = 1.4;
 constexpr double deepest = 0.05;  // some pairs are brought nearer
 constexpr double drag = 0.08;     // N·s/m
-constexpr double lip = 0.25;
+constexpr double crack_threshold = 0.25;
 constexpr double tolerance = 1e-12;
 
 struct Variant {
@@ -38,7 +38,7 @@ Setup setup_of(const Variant& variant) {
   forces.interpenetration = deepest;
   forces.skin = 0.6;  // more than elements are displaced
   if (variant.dissipates) forces.dissipation = drag;
-  if (variant.cracks) setup.get<DamageParameters>() = DamageParameters{lip, 1, 0, 100};
+  if (variant.cracks) setup.get<DamageParameters>() = DamageParameters{crack_threshold, 1, 0, 100};
   return setup;
 }
 
@@ -46,10 +46,10 @@ Specimen specimen_of(const Variant& variant) {
   Specimen specimen =
       crystal("fcc", {3, 3, 3}, {variant.periodic, variant.periodic, variant.periodic});
   std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> share(-1, 1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
   for (std::size_t i = 0; i < specimen.size(); ++i) {
-    specimen.position[i] += 5e-6 * Vector{share(random), share(random), share(random)};
-    specimen.radius[i] *= 1 + 0.05 * share(random);
+    specimen.position[i] += 5e-6 * Vector{uniform(random), uniform(random), uniform(random)};
+    specimen.radius[i] *= 1 + 0.05 * uniform(random);
   }
   return specimen;
 }
@@ -98,22 +98,22 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
   ASSERT_EQ(model.has(columns::image_shift), variant.periodic);
   ASSERT_EQ(model.has(columns::rest_length), variant.equilibrium == Equilibrium::initial);
   std::mt19937_64 random(17);
-  std::uniform_real_distribution<double> share(-1, 1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
   for (std::size_t i = 0; i < count; ++i)
-    for (int axis = 0; axis < 3; ++axis) model.places()[i][axis] += 8e-6 * share(random);
+    for (int axis = 0; axis < 3; ++axis) model.positions()[i][axis] += 8e-6 * uniform(random);
   shake(simulation, 20);
   const std::vector<std::vector<Neighbour>> neighbours = neighbours_of(simulation, forces);
 
   std::vector<Vector> barycentre(count);
-  std::size_t lips = 0;
+  std::size_t crack_faces = 0;
   if (variant.cracks)
     for (std::size_t i = 0; i < count; ++i) {
       Vector sum{};
       for (const Neighbour& other : neighbours[i]) sum += other.chord;
       sum = (1.0 / static_cast<double>(neighbours[i].size())) * sum;
-      if (norm(sum) <= lip * model.specimen().radius[i]) continue;
+      if (norm(sum) <= crack_threshold * model.specimen().radius[i]) continue;
       barycentre[i] = sum;
-      ++lips;
+      ++crack_faces;
     }
   std::vector<Vector> force(count);
   double power = 0, nearest = 1e300, scale = 0;
@@ -145,8 +145,8 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
     }
   ASSERT_GT(deep, 5u);
   if (variant.cracks && !variant.periodic) {
-    ASSERT_GT(lips, count / 10);
-    ASSERT_LT(lips, count);
+    ASSERT_GT(crack_faces, count / 10);
+    ASSERT_LT(crack_faces, count);
     ASSERT_GT(cracked, 0u);
   }
 
@@ -162,8 +162,8 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
     motion.law = variant.law;
     motion.first_row = model.slots().first_row();
     motion.neighbour = model.slots().neighbours();
-    motion.place = model.data(columns::place);
-    motion.next_place = model.next(columns::place);
+    motion.position = model.data(columns::position);
+    motion.next_position = model.next(columns::position);
     motion.velocity = model.data(columns::velocity);
     motion.inverse_mass = model.data(columns::inverse_mass);
     motion.rest_length = where(columns::rest_length);
@@ -174,15 +174,15 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
     motion.drift = 1e-7;
     if (variant.dissipates) {
       motion.dissipation = drag;
-      motion.carried_velocity = model.data(columns::carried_velocity);
-      motion.next_carried_velocity = model.next(columns::carried_velocity);
+      motion.velocity_for_neighbours = model.data(columns::velocity_for_neighbours);
+      motion.next_velocity_for_neighbours = model.next(columns::velocity_for_neighbours);
       motion.dissipated_energy = model.data(columns::dissipated_energy);
       std::fill_n(motion.dissipated_energy, model.size(columns::dissipated_energy), 0.0);
     }
     motion.barycentre = where(columns::barycentre);
-    motion.lip = lip;
+    motion.crack_threshold = crack_threshold;
     if (variant.cracks) {
-      kernels->find_crack_lips(motion, 0, model.slots().blocks());
+      kernels->find_crack_faces(motion, 0, model.slots().blocks());
       for (std::size_t i = 0; i < count; ++i) {
         const double* shown = motion.barycentre + 4 * i;
         EXPECT_LT(norm(Vector{shown[0], shown[1], shown[2]} - barycentre[i]), 1e-12 * hand_radius);
@@ -200,7 +200,7 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
       const double kick = motion.kick * motion.inverse_mass[i];
       EXPECT_LT(norm(after - before - kick * force[i]),
                 tolerance * kick * scale + 1e-15 * norm(before));
-      const double* next = motion.next_place + 4 * i;
+      const double* next = motion.next_position + 4 * i;
       EXPECT_LT(
           norm(Vector{next[0], next[1], next[2]} - place_of(simulation, i) - motion.drift * after),
           1e-15 * 1e-3);
@@ -209,11 +209,11 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
       sizes += norm(momentum);
       if (!variant.dissipates) continue;
       dissipated += motion.dissipated_energy[i];
-      const double* carried = motion.next_carried_velocity + 4 * i;
+      const double* carried = motion.next_velocity_for_neighbours + 4 * i;
       EXPECT_EQ(norm(Vector{carried[0], carried[1], carried[2]} - after), 0);
     }
     EXPECT_LT(norm(sum), 1e-14 * sizes);
-    EXPECT_NEAR(motion.closeness * nearest, 1, 1e-14);
+    EXPECT_NEAR(motion.compression_ratio * nearest, 1, 1e-14);
     EXPECT_NEAR(dissipated, motion.kick * power, 1e-12 * dissipated);
   }
 }
@@ -235,25 +235,25 @@ TEST(CentralKernel, tells_when_an_element_has_left_its_listed_place) {
   Simulation simulation(central_setup(), elements_at(lattice({3, 3, 3})), true);
   Model& model = simulation.model();
   for (const Kernels* kernels : usable_kernels())
-    for (const double share : {0.99, 1.01}) {
+    for (const double fraction : {0.99, 1.01}) {
       SCOPED_TRACE(kernels->instruction_set);
       CentralMotion motion{};
       motion.law = usual<Mie>();
       motion.first_row = model.slots().first_row();
       motion.neighbour = model.slots().neighbours();
-      motion.place = model.data(columns::place);
-      motion.next_place = model.next(columns::place);
+      motion.position = model.data(columns::position);
+      motion.next_position = model.next(columns::position);
       motion.velocity = model.data(columns::velocity);
       motion.inverse_mass = model.data(columns::inverse_mass);
       motion.rest_length = model.data(columns::rest_length);
       motion.range = 1.5;
-      motion.listed_place = model.data(columns::listed_place);
+      motion.listed_position = model.data(columns::listed_position);
       motion.listed_margin = 1e-5;
       motion.drift = 1e-7;
       // One that stands in the last block, beside lanes that hold no element.
-      set_velocity(simulation, model.elements() - 1, {0, share * 100, 0});
+      set_velocity(simulation, model.elements() - 1, {0, fraction * 100, 0});
       kernels->move_by_central_forces(motion, 0, model.slots().blocks());
-      EXPECT_EQ(motion.outran, share > 1);
+      EXPECT_EQ(motion.outran, fraction > 1);
     }
 }
 

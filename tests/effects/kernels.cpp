@@ -94,13 +94,13 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
   disturb(model, 0.02);
   Observation seen;
   simulation.observe(seen);
-  const bool turning = model.has(columns::angular_velocity);
-  ASSERT_EQ(turning, variant.law != Law::spring);
+  const bool has_rotation = model.has(columns::angular_velocity);
+  ASSERT_EQ(has_rotation, variant.law != Law::spring);
   ASSERT_EQ(model.has(columns::image_shift), variant.periodic);
   double largest = 0, largest_spin = 0;
   for (std::size_t i = 0; i < model.elements(); ++i) {
     largest = std::max(largest, norm(seen.motion.force[i]) * model.data(columns::inverse_mass)[i]);
-    if (turning)
+    if (has_rotation)
       largest_spin = std::max(
           largest_spin, norm(seen.motion.moment[i]) * model.data(columns::inverse_inertia)[i]);
   }
@@ -145,7 +145,7 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
       const std::size_t at = Model::at(columns::velocity, i);
       expect_vector(model.data(columns::velocity), at,
                     model.data(columns::inverse_mass)[i] * seen.motion.force[i], 1e-12 * largest);
-      if (turning)
+      if (has_rotation)
         expect_vector(model.data(columns::angular_velocity), at,
                       model.data(columns::inverse_inertia)[i] * seen.motion.moment[i],
                       1e-12 * largest_spin);
@@ -168,7 +168,7 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
           1e-13);
       EXPECT_NEAR(model.data(columns::plastic_extension)[index], history.extension,
                   1e-13 * bond.rest_length());
-      if (!turning) continue;
+      if (!has_rotation) continue;
       EXPECT_NEAR(model.data(columns::plastic_twist)[index], history.twist, 1e-13);
       const auto at = Model::at_slot(columns::section_normal, place.row, place.lane);
       expect_vector(model.data(columns::section_normal), at, history.normal_i, 1e-13);

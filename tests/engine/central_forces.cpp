@@ -36,10 +36,10 @@ TEST(CentralForces, conserve_energy_to_second_order_of_the_step) {
   const double step =
       0.1 * Simulation(setup, elements_at(lattice({4, 3, 3}, 2, 0.05))).time_step().bound;
   double last = 0;
-  for (const double share : {1.0, 0.5, 0.25}) {
-    const double error = worst_balance(setup, share * step, 300 * step);
+  for (const double fraction : {1.0, 0.5, 0.25}) {
+    const double error = worst_balance(setup, fraction * step, 300 * step);
     if (last > 0) {
-      EXPECT_NEAR(std::log2(last / error), 2, 0.1) << share;
+      EXPECT_NEAR(std::log2(last / error), 2, 0.1) << fraction;
     }
     last = error;
   }
@@ -51,11 +51,11 @@ TEST(CentralForces, dissipate_what_motion_loses) {
   const Specimen body = elements_at(lattice({4, 3, 3}, 2, 0.05));
   const double step = 0.1 * Simulation(setup, body).time_step().bound;
   double last = 0;
-  for (const double share : {1.0, 0.5, 0.25}) {
+  for (const double fraction : {1.0, 0.5, 0.25}) {
     // Drag sees the velocities of half a step before: first order at least.
-    const double error = worst_balance(setup, share * step, 300 * step);
+    const double error = worst_balance(setup, fraction * step, 300 * step);
     if (last > 0) {
-      EXPECT_GT(std::log2(last / error), 0.95) << share;
+      EXPECT_GT(std::log2(last / error), 0.95) << fraction;
     }
     last = error;
   }
@@ -118,7 +118,7 @@ TEST_P(TornBody, moves_by_the_same_bits_whatever_the_skin) {
     if (skin == 2) {
       EXPECT_LT(simulation.find<CentralForces>()->searches(), searches / 2);
     }
-    for (const char* column : {"place", "velocity", "carried_velocity", "barycentre"})
+    for (const char* column : {"position", "velocity", "velocity_for_neighbours", "barycentre"})
       EXPECT_TRUE(state.at(std::string("column.") + column) ==
                   first.at(std::string("column.") + column))
           << column << " with a skin of " << skin.value_or(0);
@@ -150,7 +150,7 @@ TEST_P(TornBody, goes_on_by_the_same_bits_from_a_checkpoint) {
     if (moment < 399) removed = std::max(removed, first.find<Damage>()->removed());
   }
   EXPECT_GT(removed, 0u);
-  EXPECT_GT(seen(whole, "lips"), 10);
+  EXPECT_GT(seen(whole, "crack_faces"), 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Periodic, TornBody, testing::Bool());
@@ -225,12 +225,12 @@ TEST(CentralForces, reach_no_farther_than_the_range) {
     auto setup = central_setup(law, 1.2);
     setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
     setup.get<CentralForceParameters>()->bond_tolerance = 1;
-    for (const double share : {1 - 1e-9, 1 + 1e-9}) {
-      const Simulation simulation(setup, row_of(2, 2 * 1.2 * share), true);
-      EXPECT_EQ(seen(simulation, "interactions"), share < 1 ? 1 : 0) << name_of(law);
+    for (const double fraction : {1 - 1e-9, 1 + 1e-9}) {
+      const Simulation simulation(setup, row_of(2, 2 * 1.2 * fraction), true);
+      EXPECT_EQ(seen(simulation, "interactions"), fraction < 1 ? 1 : 0) << name_of(law);
       Observation observation;
       simulation.observe(observation);
-      EXPECT_EQ(observation.motion.force[0].x > 0, share < 1) << name_of(law);
+      EXPECT_EQ(observation.motion.force[0].x > 0, fraction < 1) << name_of(law);
       // The potential is counted from the range.
       EXPECT_NEAR(seen(simulation, "potential_energy"), 0, 1e-10) << name_of(law);
     }
@@ -258,9 +258,9 @@ TEST(Damage, takes_the_attraction_across_a_crack_and_leaves_what_resists_closing
   const auto gap = visits({0, -0.8, -1.1}, stay);
   for (const bool cracks : {false, true}) {
     Simulation simulation(blocks(gap, cracks), elements_at(places));
-    // Every element but that in the middle of each block stands on a lip.
+    // Every element but that in the middle of each block stands on a crack face.
     if (cracks) {
-      EXPECT_EQ(seen(simulation, "lips"), 52);
+      EXPECT_EQ(seen(simulation, "crack_faces"), 52);
     }
     simulation.advance(90);
     EXPECT_NEAR(seen(simulation, "grip.left.force_x"), 0, 1e-9);
@@ -272,7 +272,7 @@ TEST(Damage, takes_the_attraction_across_a_crack_and_leaves_what_resists_closing
   }
 }
 
-TEST(Damage, heals_where_lips_have_come_within_range_again) {
+TEST(Damage, heals_where_crack_faces_have_come_within_range_again) {
   std::vector<Vector> places = lattice({3, 3, 3});
   for (const Vector& place : lattice({3, 3, 3}, 2, 0, {7 * hand_radius, 0, 0}))
     places.push_back(place);
@@ -281,7 +281,7 @@ TEST(Damage, heals_where_lips_have_come_within_range_again) {
   Simulation simulation(setup, elements_at(places));
   simulation.advance(190);
   // Neighbours across the gap bring the barycentre back.
-  EXPECT_EQ(seen(simulation, "lips"), 52 - 2);
+  EXPECT_EQ(seen(simulation, "crack_faces"), 52 - 2);
   EXPECT_NEAR(seen(simulation, "grip.right.force_x"), 9 * 25, 1e-9);
 }
 

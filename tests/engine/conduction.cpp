@@ -88,8 +88,10 @@ TEST(Conduction, steady_profile_between_two_ends_is_linear_on_a_lattice) {
     const double x = (model.specimen().position[i].x - 1e-4) / 20e-4;
     // The ends have five neighbours, so that their contacts conduct better by a common factor.
     const double contact = std::sqrt(7.19615242270663 / 4);
-    const double share = x <= 0 ? 0 : x >= 1 ? 1 : (1 / contact + x * 10 - 1) / (2 / contact + 8);
-    EXPECT_NEAR(model.data(columns::temperature)[i], 300 + 100 * share, 1e-6) << x;
+    const double fraction = x <= 0   ? 0
+                            : x >= 1 ? 1
+                                     : (1 / contact + x * 10 - 1) / (2 / contact + 8);
+    EXPECT_NEAR(model.data(columns::temperature)[i], 300 + 100 * fraction, 1e-6) << x;
   }
 }
 

@@ -60,7 +60,7 @@ class EnergyOfFlow : public testing::TestWithParam<Case> {};
 TEST_P(EnergyOfFlow, is_accounted_for_the_better_the_finer_the_step) {
   const Case& c = GetParam();
   std::vector<double> errors;
-  double share = 0;
+  double fraction = 0;
   for (const int halvings : {0, 1, 2, 3}) {
     const auto owner = struck_bar(yielding_setup(2e-3, c.hardening, c.flow, c.law),
                                   0.4 / (1 << halvings), c.speed);
@@ -76,13 +76,13 @@ TEST_P(EnergyOfFlow, is_accounted_for_the_better_the_finer_the_step) {
       }
       work = value_of(row, "plastic_work");
     }
-    share = work / start;
+    fraction = work / start;
     errors.push_back(error);
   }
   const double order = fitted_order(errors);
   std::printf("  %s: plastic work %.2f of the energy; balance %.1e, %.1e, %.1e, %.1e; order %.2f\n",
-              c.name, share, errors[0], errors[1], errors[2], errors[3], order);
-  EXPECT_GT(share, 0.1);
+              c.name, fraction, errors[0], errors[1], errors[2], errors[3], order);
+  EXPECT_GT(fraction, 0.1);
   EXPECT_LT(errors[3], 2e-3);
   // Each flow is counted with the load after it: of first order in the step.
   EXPECT_GT(order, 0.8);
@@ -113,7 +113,7 @@ class EnergyOfRupture : public testing::TestWithParam<bool> {};
 TEST_P(EnergyOfRupture, is_accounted_for_the_better_the_finer_the_step) {
   const bool flows = GetParam();
   std::vector<double> errors;
-  double share = 0, broken = 0;
+  double fraction = 0, broken = 0;
   for (const int halvings : {0, 1, 2, 3, 4}) {
     auto setup = flows ? yielding_setup(2e-3, 0.01) : beam_setup();
     setup.get<RuptureParameters>() = breaking_at_strain(flows ? 0.01 : 0.004);
@@ -129,14 +129,14 @@ TEST_P(EnergyOfRupture, is_accounted_for_the_better_the_finer_the_step) {
       ASSERT_GE(value_of(row, "fracture_energy"), fracture);
       fracture = value_of(row, "fracture_energy");
     }
-    share = fracture / start;
+    fraction = fracture / start;
     broken = seen(simulation, "broken_bonds");
     errors.push_back(error);
   }
   std::printf("  %s: %.0f bonds broken, fracture energy %.3f; balance %.1e … %.1e\n",
-              flows ? "ductile" : "brittle", broken, share, errors.front(), errors.back());
+              flows ? "ductile" : "brittle", broken, fraction, errors.front(), errors.back());
   EXPECT_GT(broken, 10);
-  EXPECT_GT(share, 0.001);
+  EXPECT_GT(fraction, 0.001);
   // Which bonds break depends on the step, so there is no order to be seen from run to run.
   EXPECT_LT(errors.back(), 0.3 * errors.front());
 }

@@ -10,7 +10,7 @@
 
 #include "laws/central_interaction.hpp"
 #include "laws/central_laws.hpp"
-#include "laws/crack_lip.hpp"
+#include "laws/crack_face.hpp"
 
 namespace solidem {
 namespace {
@@ -314,12 +314,12 @@ TEST_F(Pairs, LipsAreTheSameSeenFromBothSidesAndInAMirror) {
   int opposite = 0;
   for (int k = 0; k < 1000; ++k) {
     const Vector3<double> chord = any_vector(), i = any_vector(), j = any_vector();
-    const bool seen = on_opposite_lips(i, j, chord);
+    const bool seen = on_opposite_faces(i, j, chord);
     opposite += seen;
-    EXPECT_EQ(seen, on_opposite_lips(j, i, -chord));
-    EXPECT_EQ(seen, on_opposite_lips(-i, -j, -chord));
+    EXPECT_EQ(seen, on_opposite_faces(j, i, -chord));
+    EXPECT_EQ(seen, on_opposite_faces(-i, -j, -chord));
     const auto mirrored = [](const Vector3<double>& v) { return Vector3<double>{-v.x, v.y, v.z}; };
-    EXPECT_EQ(seen, on_opposite_lips(mirrored(i), mirrored(j), mirrored(chord)));
+    EXPECT_EQ(seen, on_opposite_faces(mirrored(i), mirrored(j), mirrored(chord)));
     EXPECT_EQ(seen, dot(i, chord) < 0 && dot(j, chord) > 0);
   }
   // A quarter of all random pairs point away from each other.
@@ -328,15 +328,15 @@ TEST_F(Pairs, LipsAreTheSameSeenFromBothSidesAndInAMirror) {
 
 TEST_F(Pairs, ALipShowsItsBarycentreAndAnInnerElementShowsNothing) {
   const Vector3<double> sum{3, 0, 4};  // of 10 neighbours: the barycentre is .5 away
-  const Vector3<double> lip = lip_barycentre(sum, 10.0, 0.4),
-                        inner = lip_barycentre(sum, 10.0, 0.6);
-  EXPECT_DOUBLE_EQ(norm(lip), 0.5);
+  const Vector3<double> crack_face = crack_face_barycentre(sum, 10.0, 0.4),
+                        inner = crack_face_barycentre(sum, 10.0, 0.6);
+  EXPECT_DOUBLE_EQ(norm(crack_face), 0.5);
   EXPECT_EQ(norm(inner), 0);
-  // An element alone is no lip; who shows nothing stands opposite nobody.
-  EXPECT_EQ(norm(lip_barycentre(Vector3<double>{}, 0.0, 0.0)), 0);
-  EXPECT_FALSE(on_opposite_lips(inner, {1, 0, 0}, {1, 0, 0}));
-  EXPECT_TRUE(on_opposite_lips({-1, 0, 0}, {1, 0, 0}, Vector3<double>{1, 0, 0}));
-  EXPECT_FALSE(on_opposite_lips({1, 0, 0}, {-1, 0, 0}, Vector3<double>{1, 0, 0}));
+  // An element alone is on none; who shows nothing stands opposite nobody.
+  EXPECT_EQ(norm(crack_face_barycentre(Vector3<double>{}, 0.0, 0.0)), 0);
+  EXPECT_FALSE(on_opposite_faces(inner, {1, 0, 0}, {1, 0, 0}));
+  EXPECT_TRUE(on_opposite_faces({-1, 0, 0}, {1, 0, 0}, Vector3<double>{1, 0, 0}));
+  EXPECT_FALSE(on_opposite_faces({1, 0, 0}, {-1, 0, 0}, Vector3<double>{1, 0, 0}));
 }
 
 }  // namespace

@@ -74,9 +74,9 @@ TEST(RuptureLaws, no_bond_breaks_below_the_lower_bound_and_some_do_just_above) {
       if (n % 2 == 0) at = strained(at.normal, 0, 0.01 * at.twist);
       const double bound = law.lower_bound(plastic);
       const auto scaled = [&](double size) {
-        const double share = size * bound / at.equivalent;
-        return BondStrain<double>{size * bound, plastic, share * at.normal, share * at.bending,
-                                  share * at.twist};
+        const double fraction = size * bound / at.equivalent;
+        return BondStrain<double>{size * bound, plastic, fraction * at.normal,
+                                  fraction * at.bending, fraction * at.twist};
       };
       ASSERT_FALSE(law.breaks(scaled(1 - 1e-12))) << law.name;
       broken_above += law.breaks(scaled(1.05)) ? 1 : 0;

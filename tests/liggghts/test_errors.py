@@ -222,27 +222,28 @@ WRONG_CENTRAL = {
         "dissipation needs 'communicate single vel yes'",
     ),
     "damage without its pair style": (
-        "fix damage all solidem/damage lip 0.4\nrun 0\n", "needs 'pair_style solidem/central'"),
+        "fix damage all solidem/damage crack_threshold 0.4\nrun 0\n", "needs 'pair_style solidem/central'"),
     "damage that looks for nothing": (
-        READY + "fix damage all solidem/damage\n", "looks for nothing: give lip C"),
+        READY + "fix damage all solidem/damage\n", "looks for nothing: give crack_threshold C"),
     "misspelt word of damage": (
-        READY + "fix damage all solidem/damage lips 0.4\n",
-        "unknown word 'lips'; known are lip, every, minimal_neighbours, removal_every",
+        READY + "fix damage all solidem/damage crack_faces 0.4\n",
+        "unknown word 'crack_faces'; known are crack_threshold, every, minimal_neighbours, removal_every",
     ),
     "damage without value": (
-        READY + "fix damage all solidem/damage lip\n", "'lip' has no value"),
-    "negative lip": (
-        READY + "fix damage all solidem/damage lip -1\n", "lip must be above 0, not -1"),
+        READY + "fix damage all solidem/damage crack_threshold\n", "'crack_threshold' has no value"),
+    "negative crack threshold": (
+        READY + "fix damage all solidem/damage crack_threshold -1\n", "crack_threshold must be above 0, not -1"),
     "half a step": (
-        READY + "fix damage all solidem/damage lip 1 every 0.5\n",
+        READY + "fix damage all solidem/damage crack_threshold 1 every 0.5\n",
         "every must be a whole number from 1, not 0.5",
     ),
     "damage of a group": (
-        READY + "group some id 1\nfix damage some solidem/damage lip 1\n",
+        READY + "group some id 1\nfix damage some solidem/damage crack_threshold 1\n",
         "must be used with group 'all'",
     ),
     "damage twice": (
-        READY + "fix one all solidem/damage lip 1\nfix two all solidem/damage lip 1\nrun 0\n",
+        READY + "fix one all solidem/damage crack_threshold 1\n"
+        "fix two all solidem/damage crack_threshold 1\nrun 0\n",
         "must be the only one of its style",
     ),
     "memory by hand": (

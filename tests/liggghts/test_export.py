@@ -272,7 +272,7 @@ CENTRAL: dict[str, Any] = {
             "equilibrium": "initial", "neighbours": "changing", "interpenetration": 0.2,
             "dissipation": 0.1, "skin": 0.2, "bond_tolerance": 0.1,
         },
-        "damage": {"lip": 0.4, "every": 3, "minimal_neighbours": 2, "removal_every": 20},
+        "damage": {"crack_threshold": 0.4, "every": 3, "minimal_neighbours": 2, "removal_every": 20},
     },
     "grips": GRIPS,
 }
@@ -307,7 +307,7 @@ def test_exported_central_forces_do_as_the_same_by_hand(
         script += f"group {name} id {' '.join(map(str, held + 1))}\n"
         script += f"velocity {name} set {speed}\nfix {name} {name} move linear {speed}\n"
     script += "group free subtract all left right\nfix motion free nve\n"
-    script += "fix damage all solidem/damage lip 0.4 every 3 minimal_neighbours 2 removal_every 20\n"
+    script += "fix damage all solidem/damage crack_threshold 0.4 every 3 minimal_neighbours 2 removal_every 20\n"
     expected = central_body.last_state(liggghts, tmp_path, script + end)
     assert np.abs(expected[:, 6:9]).max() > 1 and expected[:, 9].sum() > 5
     assert central_body.largest_difference(expected, found) <= 1e-12

@@ -156,7 +156,7 @@ def test_plastic_strain_counts_towards_rupture(liggghts: Liggghts, tmp_path: Pat
         0.5 * YOUNG * AREA * LENGTH * 1e-6, rel=1e-12)
 
 
-def test_broken_lips_touch_where_the_bond_was_free(liggghts: Liggghts, tmp_path: Path) -> None:
+def test_broken_faces_touch_where_the_bond_was_free(liggghts: Liggghts, tmp_path: Path) -> None:
     """These spheres overlapped when they were bonded: contact begins at that distance."""
     assert LENGTH < RADII.sum()
     extensions = np.array([0.03, 0.02, 1e-9, -0.01, -0.02, -1e-9, 0.02])
@@ -171,7 +171,7 @@ def test_broken_lips_touch_where_the_bond_was_free(liggghts: Liggghts, tmp_path:
     assert (found.figures["state"] == 1).all()
 
 
-def test_broken_lips_that_never_overlapped_touch_where_spheres_meet(
+def test_broken_faces_that_never_overlapped_touch_where_spheres_meet(
     liggghts: Liggghts, tmp_path: Path
 ) -> None:
     words = f"{COEFFICIENTS} rupture_strain 0.025 contact 1"

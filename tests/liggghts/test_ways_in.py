@@ -48,7 +48,7 @@ def test_styles_dropped_into_the_source_tree(
 
 CENTRAL = (
     central_body.beginning(central_body.words("threshold") + " range 1.3 dissipation 0.1")
-    + "fix damage all solidem/damage lip 0.4 minimal_neighbours 6 removal_every 20\n"
+    + "fix damage all solidem/damage crack_threshold 0.4 minimal_neighbours 6 removal_every 20\n"
     + "fix motion all nve\ntimestep 5e-8\n" + central_body.state(STEPS, "f_damage[1]")
     + f"run {STEPS // 2}\nwrite_restart half.restart\nrun {STEPS // 2}\n"
 )

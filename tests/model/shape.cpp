@@ -19,7 +19,7 @@ double volume_by_balls(const Shape& shape, double ball_radius) {
     for (int j = 0; j < cells; ++j)
       for (int k = 0; k < cells; ++k) {
         const Vector p{(i + 0.5) * cell - half, (j + 0.5) * cell - half, (k + 0.5) * cell - half};
-        sum += share_inside(shape.signed_distance(p, ball_radius) / ball_radius);
+        sum += fraction_inside(shape.signed_distance(p, ball_radius) / ball_radius);
       }
   return sum * cell * cell * cell;
 }
@@ -49,13 +49,14 @@ TEST(Shape, signed_distance_is_that_of_the_surface) {
   EXPECT_DOUBLE_EQ(Shape{{box}}.signed_distance({0, 1.5, 0}), -0.5);
 }
 
-TEST(Shape, share_of_a_ball_is_that_of_a_cap) {
-  EXPECT_EQ(share_inside(-1.5), 1);
-  EXPECT_EQ(share_inside(1.5), 0);
-  EXPECT_DOUBLE_EQ(share_inside(0), 0.5);
-  for (const double x : {0.1, 0.6, 0.95}) EXPECT_NEAR(share_inside(x) + share_inside(-x), 1, 1e-15);
+TEST(Shape, fraction_of_a_ball_is_that_of_a_cap) {
+  EXPECT_EQ(fraction_inside(-1.5), 1);
+  EXPECT_EQ(fraction_inside(1.5), 0);
+  EXPECT_DOUBLE_EQ(fraction_inside(0), 0.5);
+  for (const double x : {0.1, 0.6, 0.95})
+    EXPECT_NEAR(fraction_inside(x) + fraction_inside(-x), 1, 1e-15);
   // A cap of height h has the volume π h² (3 − h) / 3.
-  EXPECT_NEAR(share_inside(0.5), 0.25 * pi * 2.5 / 3 / (4.0 / 3 * pi), 1e-15);
+  EXPECT_NEAR(fraction_inside(0.5), 0.25 * pi * 2.5 / 3 / (4.0 / 3 * pi), 1e-15);
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ Cloud cloud(int elements, Vector size, std::array<bool, 3> periodic, double smal
   Cloud result;
   result.box = {{-1.0, 2.0, 0.5}, Vector{-1.0, 2.0, 0.5} + size, periodic};
   for (int i = 0; i < elements; ++i) {
-    const Vector share{uniform(random), uniform(random), uniform(random)};
-    result.position.push_back(result.box.lower +
-                              Vector{share.x * size.x, share.y * size.y, share.z * size.z});
+    const Vector fraction{uniform(random), uniform(random), uniform(random)};
+    result.position.push_back(
+        result.box.lower + Vector{fraction.x * size.x, fraction.y * size.y, fraction.z * size.z});
     result.radius.push_back(radius(random));
   }
   return result;

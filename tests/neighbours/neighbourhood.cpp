@@ -25,16 +25,16 @@ struct Cloud {
 Cloud cloud(int elements, const Vector& size, std::array<bool, 3> periodic, double smallest,
             double largest) {
   std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> share(0, 1);
+  std::uniform_real_distribution<double> uniform(0, 1);
   Cloud result;
   result.domain.lower = {-1, 2, 0.5};
   result.domain.upper = result.domain.lower + size;
   result.domain.periodic = periodic;
   for (int i = 0; i < elements; ++i) {
-    result.position.push_back(result.domain.lower + Vector{share(random) * size.x,
-                                                           share(random) * size.y,
-                                                           share(random) * size.z});
-    result.radius.push_back(smallest * std::pow(largest / smallest, share(random)));
+    result.position.push_back(result.domain.lower + Vector{uniform(random) * size.x,
+                                                           uniform(random) * size.y,
+                                                           uniform(random) * size.z});
+    result.radius.push_back(smallest * std::pow(largest / smallest, uniform(random)));
   }
   return result;
 }

@@ -24,7 +24,7 @@ elements = 1000
 [material]
 density = "2790 kg/m^3"
 )toml" + section + R"toml([damage]
-lip = 0.4
+crack_threshold = 0.4
 minimal_neighbours = 3
 [run]
 steps = 10
@@ -48,7 +48,7 @@ TEST(CentralForcesScene, defaults) {
   EXPECT_FALSE(forces.skin.has_value());
   EXPECT_DOUBLE_EQ(forces.bond_tolerance, 0.2);
   const DamageParameters damage = read_text_scene(scene).setup.get<DamageParameters>().value();
-  EXPECT_EQ(damage.lip, 0.4);
+  EXPECT_EQ(damage.crack_threshold, 0.4);
   EXPECT_EQ(damage.every, 1);
   EXPECT_EQ(damage.minimal_neighbours, 3);
   EXPECT_EQ(damage.removal_every, 100);
@@ -59,7 +59,8 @@ TEST(CentralForcesScene, every_key) {
                               "range = 1.5\nequilibrium = \"radii\"\nneighbours = \"changing\"\n"
                               "interpenetration = 0.25\ndissipation = \"80 N ms/m\"\nskin = 0.3\n");
   text = replaced(text, "[material]", "[bonds]\ntolerance = 0.05\n[material]");
-  text = replaced(text, "lip = 0.4\n", "lip = 0.5\nevery = 4\nremoval_every = 50\n");
+  text = replaced(text, "crack_threshold = 0.4\n",
+                  "crack_threshold = 0.5\nevery = 4\nremoval_every = 50\n");
   const CentralForceParameters forces = forces_of(text);
   EXPECT_EQ(forces.range, 1.5);
   EXPECT_EQ(forces.equilibrium, CentralForceParameters::Equilibrium::radii);
@@ -68,7 +69,7 @@ TEST(CentralForcesScene, every_key) {
   EXPECT_EQ(forces.skin, 0.3);
   EXPECT_EQ(forces.bond_tolerance, 0.05);
   const DamageParameters damage = read_text_scene(text).setup.get<DamageParameters>().value();
-  EXPECT_EQ(damage.lip, 0.5);
+  EXPECT_EQ(damage.crack_threshold, 0.5);
   EXPECT_EQ(damage.every, 4);
   EXPECT_EQ(damage.removal_every, 50);
   EXPECT_EQ(
@@ -235,27 +236,32 @@ const BadScene bad[] = {
      {"beams act between the same elements", "either [beams]"}},
     {"damage_of_nothing",
      good,
-     "lip = 0.4\nminimal_neighbours = 3\n",
+     "crack_threshold = 0.4\nminimal_neighbours = 3\n",
      "",
      "[damage]",
-     {"nothing says what is damaged", "lip or minimal_neighbours"}},
-    {"every_without_lip",
+     {"nothing says what is damaged", "crack_threshold or minimal_neighbours"}},
+    {"every_without_crack_threshold",
      good,
-     "lip = 0.4\n",
+     "crack_threshold = 0.4\n",
      "every = 5\n",
      "every",
-     {"every = 5", "no lips are looked for", "lip"}},
+     {"every = 5", "no crack faces are looked for", "crack_threshold"}},
     {"removal_without_number",
      good,
      "minimal_neighbours = 3\n",
      "removal_every = 5\n",
      "removal_every",
      {"removal_every = 5", "no element is removed", "minimal_neighbours"}},
-    {"negative_lip", good, "lip = 0.4", "lip = -0.4", "lip", {"lip = -0.4", "above 0"}},
+    {"negative_crack_threshold",
+     good,
+     "crack_threshold = 0.4",
+     "crack_threshold = -0.4",
+     "crack_threshold",
+     {"crack_threshold = -0.4", "above 0"}},
     {"no_step_between_looks",
      good,
-     "lip = 0.4\n",
-     "lip = 0.4\nevery = 0\n",
+     "crack_threshold = 0.4\n",
+     "crack_threshold = 0.4\nevery = 0\n",
      "every",
      {"every = 0"}},
     {"half_a_neighbour",
@@ -267,7 +273,7 @@ const BadScene bad[] = {
     {"damage_without_central_forces",
      bar,
      "[run]",
-     "[damage]\nlip = 0.4\n[run]",
+     "[damage]\ncrack_threshold = 0.4\n[run]",
      "[damage]",
      {"there are no central forces", "[central_forces]"}},
 };
@@ -285,9 +291,9 @@ Names columns_of(const std::string& text, bool periodic = false) {
 
 TEST(CentralForcesPlan, asks_no_column_that_the_scene_does_not_name) {
   const std::string bare =
-      replaced(replaced(scene, "[damage]\nlip = 0.4\nminimal_neighbours = 3\n", ""), range,
-               range + "equilibrium = \"radii\"\nneighbours = \"fixed\"\n");
-  const Names least = {"place", "velocity", "inverse_mass"};
+      replaced(replaced(scene, "[damage]\ncrack_threshold = 0.4\nminimal_neighbours = 3\n", ""),
+               range, range + "equilibrium = \"radii\"\nneighbours = \"fixed\"\n");
+  const Names least = {"position", "velocity", "inverse_mass"};
   const auto with = [&](Names more) {
     more.insert(least.begin(), least.end());
     return more;
@@ -295,10 +301,10 @@ TEST(CentralForcesPlan, asks_no_column_that_the_scene_does_not_name) {
   EXPECT_EQ(columns_of(bare), least);
   EXPECT_EQ(columns_of(bare, true), with({"image_shift"}));
   EXPECT_EQ(columns_of(replaced(bare, "\"radii\"", "\"initial\"")), with({"rest_length"}));
-  EXPECT_EQ(columns_of(replaced(bare, "\"fixed\"", "\"changing\"")), with({"listed_place"}));
+  EXPECT_EQ(columns_of(replaced(bare, "\"fixed\"", "\"changing\"")), with({"listed_position"}));
   EXPECT_EQ(columns_of(replaced(bare, range, range + "dissipation = \"1 N s/m\"\n")),
-            with({"carried_velocity", "dissipated_energy"}));
-  EXPECT_EQ(columns_of(replaced(bare, "[run]", "[damage]\nlip = 0.4\n[run]")),
+            with({"velocity_for_neighbours", "dissipated_energy"}));
+  EXPECT_EQ(columns_of(replaced(bare, "[run]", "[damage]\ncrack_threshold = 0.4\n[run]")),
             with({"barycentre"}));
   EXPECT_EQ(columns_of(replaced(bare, "[run]", "[damage]\nminimal_neighbours = 3\n[run]")), least);
 }

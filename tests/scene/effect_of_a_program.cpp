@@ -37,7 +37,7 @@ class Gravity : public Effect {
       : field_(parameters.field), mass_(mass) {}
 
   void advance(Model& model, const Step& step) override {
-    const auto before = model.places(), after = model.next_places();
+    const auto before = model.positions(), after = model.next_positions();
     double* work = model.data(fall_work);
     for (std::size_t i = 0; i < model.elements(); ++i) {
       push(model, step, static_cast<std::int32_t>(i), mass_[i] * field_);
@@ -138,7 +138,7 @@ TEST_F(EffectOfAProgram, LetsABodyFallAsGalileoSays) {
   const double t = simulation.time(), depth = 0.5 * 9.81 * t * t;
   for (std::size_t i = 0; i < simulation.model().elements(); ++i) {
     const double fallen =
-        simulation.model().specimen().position[i].z - simulation.model().places()[i][2];
+        simulation.model().specimen().position[i].z - simulation.model().positions()[i][2];
     EXPECT_NEAR(fallen, depth, 1e-12 * 1e-3);
   }
 }

@@ -37,8 +37,8 @@ const Names flowing_motion = {
 const Names pulled = {"beams", "grip left", "grip right"};
 const Names torn = united(pulled, {"rupture"});
 
-const Names attracted = {"place", "velocity", "inverse_mass", "rest_length", "listed_place"};
-const Names dissipated = united(attracted, {"carried_velocity", "dissipated_energy"});
+const Names attracted = {"position", "velocity", "inverse_mass", "rest_length", "listed_position"};
+const Names dissipated = united(attracted, {"velocity_for_neighbours", "dissipated_energy"});
 const Names pulled_apart = {"central forces", "grip left", "grip right"};
 
 const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};
@@ -54,7 +54,7 @@ const std::map<std::string, Expected> expected = {
     {"benchmarks/speed/central_fixed.toml",
      {pulled_apart,
       {"move_by_central_forces, piecewise"},
-      {"place", "velocity", "inverse_mass", "rest_length"}}},
+      {"position", "velocity", "inverse_mass", "rest_length"}}},
     {"benchmarks/speed/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"compare/scenes/annulus.toml", {hot_and_cold, {"conduct"}, heat}},
     {"compare/scenes/cantilever.toml", {{"beams", "grip wall"}, {"move_beams"}, motion}},
@@ -62,7 +62,7 @@ const std::map<std::string, Expected> expected = {
      {pulled_apart, {"move_by_central_forces, piecewise, dissipation"}, dissipated}},
     {"compare/scenes/central_tension.toml",
      {united(pulled_apart, {"damage"}),
-      {"find_crack_lips", "move_by_central_forces, piecewise, dissipation, cracks"},
+      {"find_crack_faces", "move_by_central_forces, piecewise, dissipation, cracks"},
       united(dissipated, {"barycentre"})}},
     {"compare/scenes/central_threshold.toml",
      {pulled_apart, {"move_by_central_forces, threshold"}, attracted}},
@@ -96,7 +96,7 @@ const std::map<std::string, Expected> expected = {
     {"docs/examples/calibration_5000.toml", {{"beams"}, {"move_beams"}, motion}},
     {"docs/examples/central_forces.toml",
      {united(pulled_apart, {"damage"}),
-      {"find_crack_lips", "move_by_central_forces, piecewise, dissipation, cracks"},
+      {"find_crack_faces", "move_by_central_forces, piecewise, dissipation, cracks"},
       united(dissipated, {"barycentre"})}},
     {"docs/examples/conduction.toml", {{"conduction", "temperature hot"}, {"conduct"}, heat}},
     {"docs/examples/moving_source.toml",

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "model/region.hpp"
-#include "solve/static_equilibrium.hpp"
+#include "solve/statics/static_equilibrium.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Large deflections against exact solutions.
-#include "solve/finite_equilibrium.hpp"
+#include "solve/statics/finite_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 
@@ -105,8 +105,9 @@ TEST(FiniteRotations, RigidTurnStrainsNothing) {
 TEST(FiniteRotations, ColumnBucklesAtEulersLoad) {
   const Row row(41);
   const double critical = pi * pi * row.bending() / (4 * row.length * row.length);
-  const auto unstable = [&](double share) {
-    return finite_equilibrium(row.network, row.clamped, {{row.last, {-share * critical, 0, 0}, {}}})
+  const auto unstable = [&](double fraction) {
+    return finite_equilibrium(row.network, row.clamped,
+                              {{row.last, {-fraction * critical, 0, 0}, {}}})
         .unstable;
   };
   EXPECT_FALSE(unstable(0.995));

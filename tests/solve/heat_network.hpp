@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "solve/heat_equation.hpp"
-#include "solve/heat_integrator.hpp"
+#include "solve/heat/heat_equation.hpp"
+#include "solve/heat/heat_integrator.hpp"
 
 namespace solidem {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "solve/orthotropic_calibration.hpp"
+#include "solve/calibration/orthotropic_calibration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "solve/orthotropic_constants.hpp"
+#include "solve/calibration/orthotropic_constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,9 +55,10 @@ double largest(const Matrix6& m) {
   return result;
 }
 
-void expect_near(const Matrix6& a, const Matrix6& b, double share) {
+void expect_near(const Matrix6& a, const Matrix6& b, double fraction) {
   for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 6; ++j) EXPECT_NEAR(a[i][j], b[i][j], share * largest(b)) << i << j;
+    for (std::size_t j = 0; j < 6; ++j)
+      EXPECT_NEAR(a[i][j], b[i][j], fraction * largest(b)) << i << j;
 }
 
 TEST(EffectiveStiffness, OfASimpleCubicLatticeIsExact) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Roots are found, and only where there are any, with few evaluations and none twice.
-#include "solve/root_search.hpp"
+#include "solve/calibration/root_search.hpp"
 
 #include <gtest/gtest.h>
 

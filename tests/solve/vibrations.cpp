@@ -6,7 +6,7 @@
 #include "laws/rigid_sphere.hpp"
 #include "model/error.hpp"
 #include "solve/bonded_bodies.hpp"
-#include "solve/modes.hpp"
+#include "solve/statics/modes.hpp"
 
 namespace solidem {
 namespace {

@@ -134,7 +134,7 @@ TEST(Report, CountsWhatIsThere) {
   EXPECT_DOUBLE_EQ(report.at("largest_component"), 3.0);
   EXPECT_NEAR(report.at("max_overlap"), 0.01, 1e-12);
   EXPECT_NEAR(report.at("mean_overlap"), 0.0075, 1e-12);
-  EXPECT_DOUBLE_EQ(report.at("overlap_share"), 0.5);
+  EXPECT_DOUBLE_EQ(report.at("overlap_fraction"), 0.5);
   EXPECT_DOUBLE_EQ(report.at("fabric_x"), 1.0);
   EXPECT_DOUBLE_EQ(report.at("bulk_elements"), 0.0);
   EXPECT_NE(format_report(specimen).find("of the box around the spheres"), std::string::npos);

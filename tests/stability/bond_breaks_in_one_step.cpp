@@ -87,12 +87,12 @@ TEST_P(BreaksInOneStep, only_beyond_its_limit) {
                              beam_deformation(2 * hand_radius, p));
   };
   const double whole = strain_of(1e-3) / 1e-3;  // of a motion of size 1, were it small
-  for (const double share : {0.5, 2.0}) {
-    const double size = share * 0.01 / whole;
+  for (const double fraction : {0.5, 2.0}) {
+    const double size = fraction * 0.01 / whole;
     const auto simulation = struck(setup, mode, size);
     simulation->advance(2);
-    EXPECT_EQ(seen(*simulation, "broken_bonds"), share > 1 ? 1 : 0)
-        << share << " of the limit: strain " << strain_of(size);
+    EXPECT_EQ(seen(*simulation, "broken_bonds"), fraction > 1 ? 1 : 0)
+        << fraction << " of the limit: strain " << strain_of(size);
   }
 }
 

@@ -38,9 +38,9 @@ TEST_P(CellSmallerThanTheRange, moves_as_a_large_cell_does) {
     setup.run.time_step = 5e-9;
     Simulation small(setup, cells(1), true), large(setup, cells(4), true);
     std::mt19937_64 random(3);
-    std::uniform_real_distribution<double> share(-50, 50);
+    std::uniform_real_distribution<double> uniform(-50, 50);
     Vector velocity[8], sum{};
-    for (Vector& v : velocity) sum += v = {share(random), share(random), share(random)};
+    for (Vector& v : velocity) sum += v = {uniform(random), uniform(random), uniform(random)};
     for (Vector& v : velocity) v -= (1.0 / 8) * sum;
     for (std::size_t i = 0; i < 8; ++i) launch(small, i, velocity[i]);
     for (std::size_t i = 0; i < 512; ++i) launch(large, i, velocity[i % 8]);

@@ -29,7 +29,9 @@ TEST_P(ConstantStrainHold, keeps_its_stress_for_a_million_steps) {
   const double length = 2 * hand_radius;
   const double step = Simulation(setup, body).time_step().value;
   constexpr int ramp = 4000, hold_steps = 1000000;
-  const auto to = [&](double share) { return TimeFunction{{0, ramp * step}, {0, share * length}}; };
+  const auto to = [&](double fraction) {
+    return TimeFunction{{0, ramp * step}, {0, fraction * length}};
+  };
   setup.all<GripParameters>() = {
       hold("left", face(0, false)),
       hold("right", face(0, true), {to(c.strain.x), to(c.strain.y), to(c.strain.z)})};

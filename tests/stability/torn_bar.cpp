@@ -75,18 +75,18 @@ TEST_P(TornBar, ends_in_two_pieces_with_its_energy_accounted_for) {
   EXPECT_LT(worst_imbalance, 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Speeds, TornBar,
-                         testing::Values(Case{"brittle, 1 m/s", 1, false, false},
-                                         Case{"brittle, 100 m/s", 100, false, false},
-                                         Case{"ductile, 1 m/s", 1, true, false},
-                                         Case{"ductile, 100 m/s", 100, true, false},
-                                         Case{"ductile, 1 m/s, lips in contact", 1, true, true},
-                                         Case{"ductile, 100 m/s, lips in contact", 100, true,
-                                              true}));
+INSTANTIATE_TEST_SUITE_P(
+    Speeds, TornBar,
+    testing::Values(Case{"brittle, 1 m/s", 1, false, false},
+                    Case{"brittle, 100 m/s", 100, false, false},
+                    Case{"ductile, 1 m/s", 1, true, false},
+                    Case{"ductile, 100 m/s", 100, true, false},
+                    Case{"ductile, 1 m/s, crack faces in contact", 1, true, true},
+                    Case{"ductile, 100 m/s, crack faces in contact", 100, true, true}));
 
 TEST(TornBar, that_tears_itself_keeps_its_momentum) {
   // The bar flies apart by its own motion: nothing from outside, so momentum is kept while bonds
-  // flow and break and lips meet.
+  // flow and break and crack faces meet.
   for (const bool flows : {false, true}) {
     auto setup = breaking_setup({"free", 0, flows, true});
     Simulation simulation(setup, random_bar(250));

@@ -45,7 +45,7 @@ TEST(TwoElementsAtOnePlace, do_nothing_to_each_other_in_a_run) {
                                                 {2 * hand_radius, 0, 0},
                                                 {4 * hand_radius, 0, 0},
                                                 {2 * hand_radius, 2 * hand_radius, 0}}));
-      std::copy_n(simulation.model().places()[0], 3, simulation.model().places()[1]);
+      std::copy_n(simulation.model().positions()[0], 3, simulation.model().positions()[1]);
       launch(simulation, 1, {0, 10, 0});
       Observation observation;
       simulation.observe(observation);

@@ -86,14 +86,14 @@ inline Setup fixed_setup(const CentralLaw& law = usual<Mie>(), double range = 1.
 inline std::vector<Vector> lattice(std::array<int, 3> cells, double spacing = 2, double jitter = 0,
                                    const Vector& origin = {}) {
   std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> share(-jitter, jitter);
+  std::uniform_real_distribution<double> uniform(-jitter, jitter);
   std::vector<Vector> places;
   for (int x = 0; x < cells[0]; ++x)
     for (int y = 0; y < cells[1]; ++y)
       for (int z = 0; z < cells[2]; ++z)
-        places.push_back(origin + hand_radius * Vector{spacing * x + share(random),
-                                                       spacing * y + share(random),
-                                                       spacing * z + share(random)});
+        places.push_back(origin + hand_radius * Vector{spacing * x + uniform(random),
+                                                       spacing * y + uniform(random),
+                                                       spacing * z + uniform(random)});
   return places;
 }
 
@@ -105,7 +105,7 @@ inline Specimen elements_at(const std::vector<Vector>& places, double radius = h
 }
 
 inline Vector place_of(const Simulation& simulation, std::size_t element) {
-  const double* place = simulation.model().places()[element];
+  const double* place = simulation.model().positions()[element];
   return {place[0], place[1], place[2]};
 }
 
@@ -120,18 +120,18 @@ inline Vector velocity_of(const Simulation& simulation, std::size_t element) {
 inline void launch(Simulation& simulation, std::size_t element, const Vector& velocity) {
   set_velocity(simulation, element, velocity);
   Model& model = simulation.model();
-  if (!model.has(columns::carried_velocity)) return;
+  if (!model.has(columns::velocity_for_neighbours)) return;
   for (int axis = 0; axis < 3; ++axis)
-    model.data(columns::carried_velocity)[4 * element + static_cast<std::size_t>(axis)] =
+    model.data(columns::velocity_for_neighbours)[4 * element + static_cast<std::size_t>(axis)] =
         component(velocity, axis);
 }
 
 /// Sets all elements in motion without any order, each up to a speed along each axis.
 inline void shake(Simulation& simulation, double speed) {
   std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> share(-speed, speed);
+  std::uniform_real_distribution<double> uniform(-speed, speed);
   for (std::size_t i = 0; i < simulation.model().elements(); ++i)
-    launch(simulation, i, {share(random), share(random), share(random)});
+    launch(simulation, i, {uniform(random), uniform(random), uniform(random)});
 }
 
 /// Sum of the elements' momenta, as a part of the sum of their sizes, or of what it would be at a

@@ -27,7 +27,8 @@ inline Specimen crystal(const std::string& lattice, std::array<int, 3> cells,
 }
 
 /// A crystal whose centres are moved and radii changed a little, the same way every time.
-inline Specimen jittered(const std::string& lattice, std::array<int, 3> cells, double share = 0.1) {
+inline Specimen jittered(const std::string& lattice, std::array<int, 3> cells,
+                         double fraction = 0.1) {
   Specimen specimen = crystal(lattice, cells);
   std::uint64_t state = 12345;
   const auto random = [&] {
@@ -35,8 +36,8 @@ inline Specimen jittered(const std::string& lattice, std::array<int, 3> cells, d
     return static_cast<double>(state >> 40) / double(1 << 23) - 1;
   };
   for (std::size_t i = 0; i < specimen.size(); ++i) {
-    specimen.position[i] += (share * 1e-4) * Vector{random(), random(), random()};
-    specimen.radius[i] *= 1 + 0.5 * share * random();
+    specimen.position[i] += (fraction * 1e-4) * Vector{random(), random(), random()};
+    specimen.radius[i] *= 1 + 0.5 * fraction * random();
   }
   return specimen;  // bonds stay those of the crystal
 }

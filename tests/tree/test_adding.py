@@ -193,10 +193,10 @@ def built(tree: Path) -> Path:
     return tree
 
 
-def morse(closeness: np.ndarray, energy: float, steepness: float,
+def morse(compression_ratio: np.ndarray, energy: float, steepness: float,
           equilibrium: float) -> np.ndarray:
     """Force, N, at distances over that of equilibrium."""
-    x = steepness * (closeness - 1)
+    x = steepness * (compression_ratio - 1)
     return 2 * steepness * energy / equilibrium * (np.exp(-2 * x) - np.exp(-x))
 
 
@@ -205,9 +205,9 @@ def test_the_central_law_is_listed_drawn_and_acts(built: Path) -> None:
     said = run_commands(built, "A law of central force")
     assert "morse" in said and "steepness" in said
     rows = [row for row in table(built / "results" / "morse.csv") if row["part"] == "law"]
-    closeness, force = (np.array([float(row[name]) for row in rows])
+    compression_ratio, force = (np.array([float(row[name]) for row in rows])
                         for name in ("distance_over_equilibrium", "force_N"))
-    expected = morse(closeness, 1.9e-3, 4, 0.2e-3)
+    expected = morse(compression_ratio, 1.9e-3, 4, 0.2e-3)
     assert len(rows) > 50
     assert np.abs(force - expected).max() < 1e-6 * np.abs(expected).max()
 
@@ -219,9 +219,9 @@ def test_the_central_law_is_listed_drawn_and_acts(built: Path) -> None:
     (built / "two_elements.toml").write_text(scene)
     run(built, "solidem", "run", "two_elements.toml", "--output", "results/two_elements")
     history = built / "results" / "two_elements" / "history.csv"
-    closeness = 1 + column(history, "grip.right.displacement_x") / 0.2e-3
-    assert closeness.max() > 1.48
-    expected = morse(closeness, 1.9e-3, 4, 0.2e-3)
+    compression_ratio = 1 + column(history, "grip.right.displacement_x") / 0.2e-3
+    assert compression_ratio.max() > 1.48
+    expected = morse(compression_ratio, 1.9e-3, 4, 0.2e-3)
     found = -column(history, "grip.right.force_x")
     assert np.abs(found - expected).max() < 1e-12 * np.abs(expected).max()
 

@@ -14,7 +14,7 @@ import pytest
 
 from compare.codes.base import ROOT, run_program
 from compare.result import Result, read_result
-from contrib.yade.prepared import Specimen, read_specimen
+from contrib.prepared import Specimen, read_specimen
 
 RADIUS = 1e-4
 YOUNG, SHEAR, RATIO = 3.5e12, 1.35e12, 0.3

@@ -101,8 +101,8 @@ def test_work_becomes_elastic_energy_and_plastic_work(flow: Yield) -> None:
     errors = []
     for count in (400, 800):
         of, work, before = law(flow), 0.0, np.zeros((4, 3))
-        for share in np.linspace(0, 1, count + 1)[1:]:
-            found = respond(of, share * target)
+        for fraction in np.linspace(0, 1, count + 1)[1:]:
+            found = respond(of, fraction * target)
             of.keep(found)
             now = loads(found)
             work -= float(((now + before)[:2] * target[:2]).sum()) / (2 * count)

@@ -111,14 +111,14 @@ def test_work_becomes_energy(bar: Bar, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_torn_bar_has_lips_and_loses_elements(bar: Bar, tmp_path: Path) -> None:
+def test_a_torn_bar_has_crack_faces_and_loses_elements(bar: Bar, tmp_path: Path) -> None:
     task = central_task(bar, PIECEWISE, 1500, 150.0)
-    task["laws"]["damage"] = {"lip": 0.8, "every": 1, "minimal_neighbours": 3, "removal_every": 50}
+    task["laws"]["damage"] = {"crack_threshold": 0.8, "every": 1, "minimal_neighbours": 3, "removal_every": 50}
     result = run_yade(bar.path, task, tmp_path, "--observe-every", "10", "--frame-every", "50")
     history, last = result.history, result.frame(1500)
     force = np.abs(history["grip.right.force_x"])
     assert force[-1] < 0.2 * force.max()
-    assert history["lips"].max() > 1.2 * history["lips"][0] > 0
+    assert history["crack_faces"].max() > 1.2 * history["crack_faces"][0] > 0
     assert (np.diff(history["removed"]) >= 0).all()
     gone = np.flatnonzero(last.columns["removed"])
     assert 0 < len(gone) == history["removed"][-1]

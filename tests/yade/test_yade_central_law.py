@@ -8,7 +8,7 @@ import pytest
 
 from contrib.yade.central_body import CentralBody, near_pairs
 from contrib.yade.central_law import Interaction, Law, interaction_of, law_named
-from contrib.yade.prepared import CentralForces, Damage, Specimen
+from contrib.prepared import CentralForces, Damage, Specimen
 
 MIE = {"energy": 2.0, "repulsive_exponent": 8, "attractive_exponent": 4}
 PARAMETERS = {
@@ -171,25 +171,25 @@ def lattice(gap: float) -> Specimen:
     return Specimen(None, position, np.full(len(cell), 0.5), near_pairs(cell + 0.0, np.full(96, .51)))
 
 
-def test_lips_of_a_crack_only_push() -> None:
+def test_faces_of_a_crack_only_push() -> None:
     whole, torn = lattice(0.0), lattice(0.1)
     middle = np.isin(whole.position[:, 0], [2, 3])
     inner = ((whole.position[:, 1:] > 0) & (whole.position[:, 1:] < 3)).all(axis=1)
-    of = body(whole, Damage(lip=0.3))
+    of = body(whole, Damage(crack_threshold=0.3))
     of.respond(0, whole.position)
-    assert not of.lips[inner & middle].any()
-    assert of.lips[~inner].any()  # free edges
+    assert not of.crack_faces[inner & middle].any()
+    assert of.crack_faces[~inner].any()  # free edges
     across = body(whole).respond(0, torn.position)
     assert np.abs(across.force[middle, 0]).min() == pytest.approx(25)
     # Out of range on both sides of the gap, then back within it before anyone looks again.
-    of = body(whole, Damage(lip=0.3, every=3))
+    of = body(whole, Damage(crack_threshold=0.3, every=3))
     of.respond(0, lattice(0.3).position)
-    assert of.lips[inner & middle].all()
+    assert of.crack_faces[inner & middle].all()
     assert np.abs(of.respond(1, torn.position).force).max() < 1e-9
     pushed = of.respond(2, lattice(-0.01).position)
     assert np.abs(pushed.force[middle, 0]) == pytest.approx(np.full(32, 9.0))
     of.respond(3, whole.position)
-    assert not of.lips[inner & middle].any()
+    assert not of.crack_faces[inner & middle].any()
 
 
 def test_elements_that_lost_their_neighbours_are_removed_when_it_is_due() -> None:

@@ -84,7 +84,7 @@ SolidemBondEnds BondSolidemBeam::ends(int& i, int& j) const {
           atom->radius[j]};
 }
 
-double BondSolidemBeam::share(int i, int j) const {
+double BondSolidemBeam::owned_fraction(int i, int j) const {
   if (force->newton_bond) return 1.0;
   return 0.5 * (i < atom->nlocal) + 0.5 * (j < atom->nlocal);
 }
@@ -121,8 +121,9 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
       add(f[j], -action.load.force);
       add(torque[j], action.load.moment_j);
     }
-    if (action.contact_energy != 0.0) contact_energy_ += share(i, j) * action.contact_energy;
-    if (action.breaks || action.forms) enter(action, share(i, j));
+    if (action.contact_energy != 0.0)
+      contact_energy_ += owned_fraction(i, j) * action.contact_energy;
+    if (action.breaks || action.forms) enter(action, owned_fraction(i, j));
     if (evflag) {
       const double d[3] = {-place.chord.x, -place.chord.y, -place.chord.z};
       const Vector& force_i = action.load.force;
@@ -132,10 +133,10 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
   }
 }
 
-void BondSolidemBeam::enter(const SolidemBondAction& action, double share) {
-  ledger.fracture_energy += share * action.fracture_energy;
-  ledger.broken += share * action.breaks;
-  ledger.formed += share * action.forms;
+void BondSolidemBeam::enter(const SolidemBondAction& action, double fraction) {
+  ledger.fracture_energy += fraction * action.fracture_energy;
+  ledger.broken += fraction * action.breaks;
+  ledger.formed += fraction * action.forms;
   broke_ += action.breaks;
   if (action.breaks && ledger.first_rupture == 0.0)
     ledger.first_rupture = static_cast<double>(update->ntimestep) + 1.0;

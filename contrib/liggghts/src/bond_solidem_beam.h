@@ -57,7 +57,7 @@ class BondSolidemBeam : public Bond {
   /// Energy of the contacts of broken bonds at the last step, this rank's share.
   double contact_energy() const { return contact_energy_; }
   /// This rank's share of a bond: 1, or 1/2 when another rank has the bond too.
-  double share(int i, int j) const;
+  double owned_fraction(int i, int j) const;
 
   SolidemLedger ledger;
 
@@ -69,7 +69,7 @@ class BondSolidemBeam : public Bond {
 
   void allocate();
   void widen_history();
-  void enter(const SolidemBondAction& action, double share);
+  void enter(const SolidemBondAction& action, double fraction);
   void tally(int, int, double, const double*, const double*);
 };
 

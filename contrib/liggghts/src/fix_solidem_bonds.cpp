@@ -209,11 +209,11 @@ void FixSolidemBonds::drop_gone_bonds() {
     for (int m = atom->num_bond[i] - 1; m >= 0; m--) {
       const double* memory_of_bond = atom->bond_hist[i][m];
       if (!Row::is_gone(memory_of_bond)) continue;
-      const double share = force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
-      gone_plastic_work += share * memory_of_bond[Row::PLASTIC_WORK];
+      const double fraction = force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
+      gone_plastic_work += fraction * memory_of_bond[Row::PLASTIC_WORK];
       lost_bonds[i] += 1.0;
       if (force->newton_bond) lost_bonds[atom->map(atom->bond_atom[i][m])] += 1.0;
-      dropped += share;
+      dropped += fraction;
 
       history->forget(i, m);
       const int last = --atom->num_bond[i];
@@ -299,10 +299,10 @@ void FixSolidemBonds::cut_bonds_of_removed_atoms() {
     double* memory_of_bond = neighbor->bondhistlist[n];
     if (removed->vector_atom[i] == 0.0 && removed->vector_atom[j] == 0.0) continue;
     if (Row::is_gone(memory_of_bond) || Row::is_cut(memory_of_bond)) continue;
-    const double share = beams->share(i, j);
-    if (Row::is_whole(memory_of_bond)) beams->ledger.broken += share;
+    const double fraction = beams->owned_fraction(i, j);
+    if (Row::is_whole(memory_of_bond)) beams->ledger.broken += fraction;
     const SolidemBeam& beam = beams->beam(neighbor->bondlist[n][2]);
-    beams->ledger.fracture_energy += share * beam.cut(memory_of_bond, beams->ends(i, j), step);
+    beams->ledger.fracture_energy += fraction * beam.cut(memory_of_bond, beams->ends(i, j), step);
   }
 }
 
@@ -315,10 +315,10 @@ double FixSolidemBonds::plastic_work() {
   store_history();
   list_is_current = running;
   double work = gone_plastic_work;
-  const double share = force->newton_bond ? 1.0 : 0.5;
+  const double fraction = force->newton_bond ? 1.0 : 0.5;
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < atom->num_bond[i]; m++)
-      work += share * atom->bond_hist[i][m][Row::PLASTIC_WORK];
+      work += fraction * atom->bond_hist[i][m][Row::PLASTIC_WORK];
   return work;
 }
 

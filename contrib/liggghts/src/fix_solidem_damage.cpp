@@ -19,7 +19,7 @@
 #include "comm.h"
 #include "error.h"
 #include "force.h"
-#include "laws/crack_lip.hpp"
+#include "laws/crack_face.hpp"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -37,7 +37,7 @@ typedef solidem::Vector3<double> Vector;
 
 FixSolidemDamage::FixSolidemDamage(LAMMPS* liggghts, int narg, char** arg)
     : Fix(liggghts, narg, arg),
-      lip(0.0),
+      crack_threshold(0.0),
       every(1),
       minimal_neighbours(0),
       removal_every(100),
@@ -48,14 +48,15 @@ FixSolidemDamage::FixSolidemDamage(LAMMPS* liggghts, int narg, char** arg)
   if (igroup != 0) error->fix_error(FLERR, this, "must be used with group 'all'");
   for (int k = 3; k < narg; k += 2) {
     const std::string name = arg[k];
-    if (name != "lip" && name != "every" && name != "minimal_neighbours" && name != "removal_every")
-      error->fix_error(
-          FLERR, this,
-          ("unknown word '" + name + "'; known are lip, every, minimal_neighbours, removal_every")
-              .c_str());
+    if (name != "crack_threshold" && name != "every" && name != "minimal_neighbours" &&
+        name != "removal_every")
+      error->fix_error(FLERR, this,
+                       ("unknown word '" + name +
+                        "'; known are crack_threshold, every, minimal_neighbours, removal_every")
+                           .c_str());
     if (k + 1 == narg) error->fix_error(FLERR, this, ("'" + name + "' has no value").c_str());
     const double value = force->numeric(FLERR, arg[k + 1]);
-    const bool is_count = name != "lip";
+    const bool is_count = name != "crack_threshold";
     const double least = name == "minimal_neighbours" ? 0.0 : 1.0;
     if (is_count && (value < least || value != static_cast<int>(value)))
       error->fix_error(FLERR, this,
@@ -64,15 +65,16 @@ FixSolidemDamage::FixSolidemDamage(LAMMPS* liggghts, int narg, char** arg)
                            .c_str());
     if (!is_count && !(value > 0.0))
       error->fix_error(FLERR, this,
-                       ("lip must be above 0, not " + std::string(arg[k + 1])).c_str());
-    if (name == "lip") lip = value;
+                       ("crack_threshold must be above 0, not " + std::string(arg[k + 1])).c_str());
+    if (name == "crack_threshold") crack_threshold = value;
     if (name == "every") every = static_cast<int>(value);
     if (name == "minimal_neighbours") minimal_neighbours = static_cast<int>(value);
     if (name == "removal_every") removal_every = static_cast<int>(value);
   }
-  if (lip == 0.0 && minimal_neighbours == 0)
+  if (crack_threshold == 0.0 && minimal_neighbours == 0)
     error->fix_error(FLERR, this,
-                     "looks for nothing: give lip C, such as lip 0.4, or minimal_neighbours M");
+                     "looks for nothing: give crack_threshold C, such as crack_threshold 0.4, or "
+                     "minimal_neighbours M");
 
   vector_flag = 1;
   size_vector = 2;
@@ -126,17 +128,17 @@ void FixSolidemDamage::pre_force(int) {
   if (neighbor->ago == 0) comm->forward_comm_fix(this);  // there are new ghosts
   if (removes) {
     look_around(false);
-    remove_lonely_atoms();
+    remove_isolated_atoms();
     last_removal = step;
   }
-  if (!begun || step % every == 0) look_around(finds_lips());
+  if (!begun || step % every == 0) look_around(finds_crack_faces());
   if (begun) return;
   for (int i = 0; i < atom->nlocal; i++) state[i][AT_START] = state[i][NEIGHBOURS];
   begun = true;
 }
 
-// Counts neighbours and, if so wanted, finds lips.
-void FixSolidemDamage::look_around(bool for_lips) {
+// Counts neighbours and, if so wanted, finds crack faces.
+void FixSolidemDamage::look_around(bool for_crack_faces) {
   std::vector<Vector> sum(atom->nlocal);
   std::vector<double> count(atom->nlocal, 0.0);
   for (const PairSolidemCentral::Listed& listed : pair->listed()) {
@@ -151,18 +153,19 @@ void FixSolidemDamage::look_around(bool for_lips) {
   for (int i = 0; i < atom->nlocal; i++) {
     double* mine = state[i];
     mine[NEIGHBOURS] = count[i];
-    if (!for_lips) continue;
-    const Vector shown = solidem::lip_barycentre(sum[i], count[i], lip * atom->radius[i]);
+    if (!for_crack_faces) continue;
+    const Vector shown =
+        solidem::crack_face_barycentre(sum[i], count[i], crack_threshold * atom->radius[i]);
     mine[SHOWN] = shown.x;
     mine[SHOWN + 1] = shown.y;
     mine[SHOWN + 2] = shown.z;
-    mine[LIP] = dot(shown, shown) > 0.0;
+    mine[CRACK_FACE] = dot(shown, shown) > 0.0;
   }
-  if (for_lips) comm->forward_comm_fix(this);
+  if (for_crack_faces) comm->forward_comm_fix(this);
 }
 
 // Those that have lost neighbours and keep too few stay where they are from now on.
-void FixSolidemDamage::remove_lonely_atoms() {
+void FixSolidemDamage::remove_isolated_atoms() {
   for (int i = 0; i < atom->nlocal; i++) {
     double* mine = state[i];
     if (is_removed(i) || mine[NEIGHBOURS] >= minimal_neighbours ||
@@ -178,7 +181,7 @@ void FixSolidemDamage::remove_lonely_atoms() {
 
 double FixSolidemDamage::compute_vector(int n) {
   double here = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++) here += state[i][n == 0 ? LIP : REMOVED];
+  for (int i = 0; i < atom->nlocal; i++) here += state[i][n == 0 ? CRACK_FACE : REMOVED];
   MPI_Allreduce(&here, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }

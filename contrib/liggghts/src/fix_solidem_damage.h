@@ -23,10 +23,10 @@ FixStyle(solidem/damage,FixSolidemDamage)
 
 namespace LAMMPS_NS {
 
-/// Micro-cracks of a solid under pair_style solidem/central: finds the atoms on lips of cracks
-/// (laws/crack_lip.hpp), which the pair style then lets push those opposite and no more, and takes
-/// lonely atoms out. Per-atom array: lip, neighbours, removed, barycentre shown (3), neighbours at
-/// the start. Global vector: lips, removed atoms.
+/// Micro-cracks of a solid under pair_style solidem/central: finds the atoms on faces of cracks
+/// (laws/crack_face.hpp), which the pair style then lets push those opposite and no more, and takes
+/// isolated atoms out. Per-atom array: crack face, neighbours, removed, barycentre shown (3),
+/// neighbours at the start. Global vector: crack faces, removed atoms.
 class FixSolidemDamage : public Fix {
  public:
   FixSolidemDamage(class LAMMPS*, int, char**);
@@ -37,9 +37,9 @@ class FixSolidemDamage : public Fix {
   void pre_force(int);
   double compute_vector(int);
 
-  bool finds_lips() const { return lip > 0.0; }
+  bool finds_crack_faces() const { return crack_threshold > 0.0; }
   bool is_removed(int i) const { return state[i][REMOVED] != 0.0; }
-  /// What local or ghost atom i shows, m: 0 when it is no lip.
+  /// What local or ghost atom i shows, m: 0 when it is on none.
   solidem::Vector3<double> barycentre(int i) const {
     const double* shown = state[i] + SHOWN;
     return {shown[0], shown[1], shown[2]};
@@ -61,9 +61,9 @@ class FixSolidemDamage : public Fix {
   double memory_usage();
 
  private:
-  enum { LIP, NEIGHBOURS, REMOVED, SHOWN, AT_START = SHOWN + 3, WIDTH };
+  enum { CRACK_FACE, NEIGHBOURS, REMOVED, SHOWN, AT_START = SHOWN + 3, WIDTH };
 
-  double lip;              // C; 0: lips are not looked for
+  double crack_threshold;  // C; 0: crack faces are not looked for
   int every;               // steps between looks at the barycentres
   int minimal_neighbours;  // atoms that lost neighbours and keep fewer are removed; 0: never
   int removal_every;
@@ -72,8 +72,8 @@ class FixSolidemDamage : public Fix {
   double** state;       // of local and ghost atoms
   class PairSolidemCentral* pair;
 
-  void look_around(bool for_lips);
-  void remove_lonely_atoms();
+  void look_around(bool for_crack_faces);
+  void remove_isolated_atoms();
 };
 
 }  // namespace LAMMPS_NS

@@ -23,7 +23,7 @@
 #include "fix_solidem_damage.h"
 #include "force.h"
 #include "laws/central_interaction.hpp"
-#include "laws/crack_lip.hpp"
+#include "laws/crack_face.hpp"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
@@ -201,9 +201,9 @@ PairSolidemCentral::Seen PairSolidemCentral::see(int i, int j) const {
   return seen;
 }
 
-bool PairSolidemCentral::are_on_opposite_lips(int i, int j, const Vector& chord) const {
-  return damage_ && damage_->finds_lips() &&
-         solidem::on_opposite_lips(damage_->barycentre(i), damage_->barycentre(j), chord);
+bool PairSolidemCentral::are_on_opposite_faces(int i, int j, const Vector& chord) const {
+  return damage_ && damage_->finds_crack_faces() &&
+         solidem::on_opposite_faces(damage_->barycentre(i), damage_->barycentre(j), chord);
 }
 
 void PairSolidemCentral::compute(int eflag, int vflag) {
@@ -219,7 +219,7 @@ void PairSolidemCentral::compute(int eflag, int vflag) {
 template <class Law>
 void PairSolidemCentral::compute_by(const Law& law) {
   double** f = atom->f;
-  double closeness = 0.0, power = 0.0;
+  double compression_ratio = 0.0, power = 0.0;
   for (const Listed& pair : listed_) {
     const int i = pair.i, j = pair.j;
     const Seen seen = see(i, j);
@@ -227,15 +227,15 @@ void PairSolidemCentral::compute_by(const Law& law) {
     double push =
         solidem::central_force(law, settings_.interpenetration, seen.distance, pair.equilibrium)
             .force;
-    if (push < 0.0 && are_on_opposite_lips(i, j, seen.chord)) push = 0.0;
+    if (push < 0.0 && are_on_opposite_faces(i, j, seen.chord)) push = 0.0;
     const bool both = j < atom->nlocal;
-    const double share = both ? 1.0 : 0.5;
+    const double fraction = both ? 1.0 : 0.5;
     if (settings_.dissipation > 0.0) {
       const double drag =
           solidem::dissipative_force(settings_.dissipation, seen.chord, 1.0 / seen.distance,
                                      vector(atom->v[i]) - vector(atom->v[j]));
       push += drag;
-      power += share * drag * drag / settings_.dissipation;
+      power += fraction * drag * drag / settings_.dissipation;
     }
     const double over_distance = push / seen.distance;
     const double chord[3] = {seen.chord.x, seen.chord.y, seen.chord.z};
@@ -243,8 +243,8 @@ void PairSolidemCentral::compute_by(const Law& law) {
       f[i][k] -= over_distance * chord[k];
       if (both) f[j][k] += over_distance * chord[k];
     }
-    memory_->totals.interactions += share;
-    closeness = std::max(closeness, pair.equilibrium / seen.distance);
+    memory_->totals.interactions += fraction;
+    compression_ratio = std::max(compression_ratio, pair.equilibrium / seen.distance);
     if (evflag) {
       const double radii = atom->radius[i] + atom->radius[j];
       const double energy =
@@ -256,9 +256,9 @@ void PairSolidemCentral::compute_by(const Law& law) {
     }
   }
   memory_->dissipate(power);
-  if (closeness > 0.0)
+  if (compression_ratio > 0.0)
     memory_->totals.interpenetration =
-        std::max(memory_->totals.interpenetration, 1.0 - 1.0 / closeness);
+        std::max(memory_->totals.interpenetration, 1.0 - 1.0 / compression_ratio);
 }
 
 /* ----------------------------------------------------------------------
@@ -279,7 +279,7 @@ double PairSolidemCentral::single(int i, int j, int, int, double square, double,
       [&](const auto& law) {
         const double push =
             solidem::central_force(law, settings_.interpenetration, distance, rest).force;
-        if (push >= 0.0 || !are_on_opposite_lips(i, j, chord))
+        if (push >= 0.0 || !are_on_opposite_faces(i, j, chord))
           force_over_distance = push / distance;
         return solidem::central_potential(law, settings_.interpenetration, range, distance, rest);
       },

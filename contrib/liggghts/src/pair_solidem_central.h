@@ -81,7 +81,7 @@ class PairSolidemCentral : public Pair {
   void remember_initial_pairs();
   void make_list();
   double equilibrium(int i, int j) const;
-  bool are_on_opposite_lips(int i, int j, const solidem::Vector3<double>& chord) const;
+  bool are_on_opposite_faces(int i, int j, const solidem::Vector3<double>& chord) const;
   template <class Law>
   void compute_by(const Law& law);
 };

@@ -308,15 +308,15 @@ void move_beams(const BeamMotion& m, LimitedLoad limited_load, std::size_t first
   }
 }
 
-inline Vector3<HalfPack> half(const PackVector& v) {
-  return {HalfPack(v.x), HalfPack(v.y), HalfPack(v.z)};
+inline Vector3<FloatPack> half(const PackVector& v) {
+  return {FloatPack(v.x), FloatPack(v.y), FloatPack(v.z)};
 }
 
-inline Quaternion<HalfPack> half(const Quaternion<Pack>& q) {
-  return {HalfPack(q.w), half(q.v)};
+inline Quaternion<FloatPack> half(const Quaternion<Pack>& q) {
+  return {FloatPack(q.w), half(q.v)};
 }
 
-inline PackVector whole(const Vector3<HalfPack>& v) {
+inline PackVector whole(const Vector3<FloatPack>& v) {
   return {v.x.whole(), v.y.whole(), v.z.whole()};
 }
 
@@ -327,36 +327,36 @@ inline void move_beams_in_single_precision(const BeamMotion& m, std::size_t firs
                                            std::size_t last) {
   const double unit = m.length_unit, per_unit = 1 / unit;
   const double unit_force = m.rigidity.axial;
-  const BeamRigidity<HalfPack> rigidity{HalfPack(1.0),
-                                        HalfPack(m.rigidity.bending / (unit_force * unit * unit)),
-                                        HalfPack(m.rigidity.shear / (unit_force * unit * unit)),
-                                        HalfPack(m.rigidity.torsion / (unit_force * unit * unit))};
+  const BeamRigidity<FloatPack> rigidity{
+      FloatPack(1.0), FloatPack(m.rigidity.bending / (unit_force * unit * unit)),
+      FloatPack(m.rigidity.shear / (unit_force * unit * unit)),
+      FloatPack(m.rigidity.torsion / (unit_force * unit * unit))};
   for (std::size_t block = first; block < last; ++block) {
     for (int lane = 0; lane < lanes; lane += width) {
       const std::size_t element = block * lanes + static_cast<std::size_t>(lane);
       const Row own = Row::load(m.pose + 8 * element);
       const PackVector position = centre(own);
       const Quaternion<Pack> turned = orientation(own);
-      const Quaternion<HalfPack> half_turned = half(turned);
-      const Quaternion<HalfPack> turned_back = conjugate(half_turned);
-      const Rotation<HalfPack> rotation(half_turned);
+      const Quaternion<FloatPack> half_turned = half(turned);
+      const Quaternion<FloatPack> turned_back = conjugate(half_turned);
+      const Rotation<FloatPack> rotation(half_turned);
       PackVector force{}, moment{};
       for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
         const SlotPlace slot{row, static_cast<std::size_t>(lane)};
         const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
         PackVector chord = centre(other) - position;
         if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
-        const Quaternion<HalfPack> other_turned = half(orientation(other));
-        const Vector3<HalfPack> direction = half(load_vector(m.rest_direction + slot.of(3)));
-        const BeamPose<HalfPack> pose{half(Pack(per_unit) * chord), rotate(rotation, direction),
-                                      rotate(other_turned, direction), other_turned * turned_back};
-        const HalfPack rest_length(Pack(per_unit) * Pack::load(m.rest_length + slot.of(1)));
-        BeamDeformation<HalfPack> deformation = beam_deformation(rest_length, pose);
+        const Quaternion<FloatPack> other_turned = half(orientation(other));
+        const Vector3<FloatPack> direction = half(load_vector(m.rest_direction + slot.of(3)));
+        const BeamPose<FloatPack> pose{half(Pack(per_unit) * chord), rotate(rotation, direction),
+                                       rotate(other_turned, direction), other_turned * turned_back};
+        const FloatPack rest_length(Pack(per_unit) * Pack::load(m.rest_length + slot.of(1)));
+        BeamDeformation<FloatPack> deformation = beam_deformation(rest_length, pose);
         // The one difference of nearly equal figures is taken in double.
         const Pack length = sqrt(dot(chord, chord));
         deformation.extension =
-            HalfPack(Pack(per_unit) * (length - Pack::load(m.rest_length + slot.of(1))));
-        const BeamLoad<HalfPack> load = beam_load(rigidity, pose, deformation);
+            FloatPack(Pack(per_unit) * (length - Pack::load(m.rest_length + slot.of(1))));
+        const BeamLoad<FloatPack> load = beam_load(rigidity, pose, deformation);
         force += whole(load.force);
         moment += whole(load.moment_i);
       }

@@ -11,7 +11,7 @@
 #include "effects/kernels/pack.hpp"
 #include "effects/kernels/pack_vector.hpp"
 #include "laws/central_interaction.hpp"
-#include "laws/crack_lip.hpp"
+#include "laws/crack_face.hpp"
 #include "model/slots.hpp"
 
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
@@ -31,7 +31,7 @@ struct Seen {
 };
 
 inline Seen see(const CentralMotion& m, const Quad& own, std::size_t row, std::size_t lane) {
-  const Quad other = Quad::gather(m.place, m.neighbour + row * lanes + lane);
+  const Quad other = Quad::gather(m.position, m.neighbour + row * lanes + lane);
   Seen seen;
   seen.chord = vector_of(other) - vector_of(own);
   if (m.image_shift != nullptr) seen.chord += load_vector(m.image_shift + 3 * row * lanes + lane);
@@ -60,7 +60,7 @@ struct Pull {
   const Law& law;
   const CentralMotion& m;
   std::size_t offset;
-  Pack closeness;
+  Pack compression_ratio;
   Quad own{};  ///< centre, and α R
   PackVector own_velocity{}, own_barycentre{};
   PackVector force{};
@@ -68,9 +68,9 @@ struct Pull {
 
   void begin(std::size_t element, std::size_t lane) {
     offset = lane;
-    own = Quad::load(m.place + 4 * element);
+    own = Quad::load(m.position + 4 * element);
     if constexpr (dissipates)
-      own_velocity = vector_of(Quad::load(m.carried_velocity + 4 * element));
+      own_velocity = vector_of(Quad::load(m.velocity_for_neighbours + 4 * element));
     if constexpr (cracks) own_barycentre = vector_of(Quad::load(m.barycentre + 4 * element));
     force = {};
     dissipated = {};
@@ -84,19 +84,20 @@ struct Pull {
                                                       : Pack(1 / m.range) * seen.range;
     const Separation<Pack> at{seen.distance, seen.inverse_distance, equilibrium};
     Pack push = law.force(at);
-    const Pack near = at.closeness();
-    closeness = raise(closeness, seen.inside, near);
+    const Pack near = at.compression_ratio();
+    compression_ratio = raise(compression_ratio, seen.inside, near);
     const Mask deep = both(greater(near, Pack(1 / (1 - m.interpenetration))), seen.inside);
     if (__builtin_expect(any(deep), 0))
       push =
           select(deep, continued_force(law, m.interpenetration, seen.distance, equilibrium), push);
     if constexpr (cracks) {
       const PackVector barycentre = vector_of(Quad::gather(m.barycentre, m.neighbour + slot));
-      const Mask apart = on_opposite_lips(own_barycentre, barycentre, seen.chord);
+      const Mask apart = on_opposite_faces(own_barycentre, barycentre, seen.chord);
       push = select(both(apart, greater(none, push)), none, push);
     }
     if constexpr (dissipates) {
-      const PackVector velocity = vector_of(Quad::gather(m.carried_velocity, m.neighbour + slot));
+      const PackVector velocity =
+          vector_of(Quad::gather(m.velocity_for_neighbours, m.neighbour + slot));
       const Pack drag = dissipative_force(Pack(m.dissipation), seen.chord, seen.inverse_distance,
                                           own_velocity - velocity);
       push += drag;
@@ -110,7 +111,7 @@ template <class Law, bool dissipates, bool cracks>
 void move_by(const Law& law, CentralMotion& m, std::size_t first, std::size_t last) {
   const Pack margin(m.listed_margin * m.listed_margin);
   const CentralMotion columns = m;
-  Pull<Law, dissipates, cracks> pull{law, columns, 0, Pack(m.closeness)};
+  Pull<Law, dissipates, cracks> pull{law, columns, 0, Pack(m.compression_ratio)};
   bool outran = m.outran;
   for (std::size_t block = first; block < last; ++block) {
     for (int lane = 0; lane < lanes; lane += width) {
@@ -124,23 +125,24 @@ void move_by(const Law& law, CentralMotion& m, std::size_t first, std::size_t la
           (Pack(m.kick) * Pack::load(m.inverse_mass + element)) * pull.force;
       store_vector(velocity, m.velocity + at);
       const PackVector moved = vector_of(pull.own) + Pack(m.drift) * velocity;
-      Quad{{moved.x, moved.y, moved.z, pull.own.component[3]}}.store(m.next_place + 4 * element);
+      Quad{{moved.x, moved.y, moved.z, pull.own.component[3]}}.store(m.next_position + 4 * element);
       if constexpr (dissipates) {
-        Quad{{velocity.x, velocity.y, velocity.z, Pack(0.0)}}.store(m.next_carried_velocity +
+        Quad{{velocity.x, velocity.y, velocity.z, Pack(0.0)}}.store(m.next_velocity_for_neighbours +
                                                                     4 * element);
         // c (n · ΔV)² of each pair, half of it on either side.
         (Pack::load(m.dissipated_energy + element) +
          Pack(0.5 * m.kick / m.dissipation) * pull.dissipated)
             .store(m.dissipated_energy + element);
       }
-      if (m.listed_place != nullptr) {
-        const PackVector away = moved - load_vector(m.listed_place + at);
+      if (m.listed_position != nullptr) {
+        const PackVector away = moved - load_vector(m.listed_position + at);
         if (any(greater(dot(away, away), margin))) outran = true;
       }
     }
   }
   for (int k = 0; k < width; ++k)
-    if (pull.closeness.v[k] > m.closeness) m.closeness = pull.closeness.v[k];
+    if (pull.compression_ratio.v[k] > m.compression_ratio)
+      m.compression_ratio = pull.compression_ratio.v[k];
   m.outran = outran;
 }
 
@@ -148,7 +150,7 @@ inline void move_by_central_forces(CentralMotion& m, std::size_t first, std::siz
   std::visit(
       [&](auto law) {
         using Law = decltype(law);
-        const bool dissipates = m.carried_velocity != nullptr;
+        const bool dissipates = m.velocity_for_neighbours != nullptr;
         if (m.barycentre != nullptr)
           dissipates ? move_by<Law, true, true>(law, m, first, last)
                      : move_by<Law, false, true>(law, m, first, last);
@@ -159,12 +161,12 @@ inline void move_by_central_forces(CentralMotion& m, std::size_t first, std::siz
       m.law);
 }
 
-inline void find_crack_lips(const CentralMotion& m, std::size_t first, std::size_t last) {
+inline void find_crack_faces(const CentralMotion& m, std::size_t first, std::size_t last) {
   for (std::size_t block = first; block < last; ++block)
     for (int lane = 0; lane < lanes; lane += width) {
       const auto offset = static_cast<std::size_t>(lane);
       const std::size_t element = block * lanes + offset;
-      const Quad own = Quad::load(m.place + 4 * element);
+      const Quad own = Quad::load(m.position + 4 * element);
       PackVector sum{};
       Pack neighbours{};
       for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
@@ -173,8 +175,8 @@ inline void find_crack_lips(const CentralMotion& m, std::size_t first, std::size
         sum += counts * seen.chord;
         neighbours += counts;
       }
-      const PackVector shown =
-          lip_barycentre(sum, neighbours, Pack(m.lip / m.range) * own.component[3]);
+      const PackVector shown = crack_face_barycentre(
+          sum, neighbours, Pack(m.crack_threshold / m.range) * own.component[3]);
       Quad{{shown.x, shown.y, shown.z, neighbours}}.store(m.barycentre + 4 * element);
     }
 }

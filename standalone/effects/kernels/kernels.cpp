@@ -17,7 +17,7 @@ extern const Kernels kernels;
 const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET),
                       move_beams_by_kind,
                       move_by_central_forces,
-                      find_crack_lips,
+                      find_crack_faces,
                       pick_near,
                       conduct,
                       conducted_power_by_kind};

@@ -68,8 +68,8 @@ struct CentralMotion {
   CentralLaw law;
   const std::uint32_t* first_row;
   const std::int32_t* neighbour;
-  const double* place;  ///< x y z, α R
-  double* next_place;
+  const double* position;  ///< x y z, α R
+  double* next_position;
   double* velocity;
   const double* inverse_mass;
   const double* rest_length;  ///< null: radii touch at the equilibrium
@@ -77,25 +77,25 @@ struct CentralMotion {
   double range;               ///< α
   double interpenetration;    ///< a
   double kick;                ///< s, by which the velocities move on
-  double drift;               ///< s, by which the places move on
+  double drift;               ///< s, by which the positions move on
 
   // Where motion is dissipated.
   double dissipation;  ///< c, N·s/m
-  const double* carried_velocity;
-  double* next_carried_velocity;
+  const double* velocity_for_neighbours;
+  double* next_velocity_for_neighbours;
   double* dissipated_energy;
 
   // Where cracks are told.
-  double* barycentre;  ///< null: none
-  double lip;          ///< C
+  double* barycentre;      ///< null: none
+  double crack_threshold;  ///< C
 
   // Where neighbours change.
-  const double* listed_place;  ///< null: they are fixed
-  double listed_margin;        ///< m, that an element may move until neighbours are sought anew
+  const double* listed_position;  ///< null: they are fixed
+  double listed_margin;           ///< m, that an element may move until neighbours are sought anew
 
   // Results.
-  double closeness = 0;  ///< the largest δ_eq/δ that was met
-  bool outran = false;   ///< an element has moved farther than the margin
+  double compression_ratio = 0;  ///< the largest δ_eq/δ that was met
+  bool outran = false;           ///< an element has moved farther than the margin
 };
 
 /// Columns of conducting elements.
@@ -130,9 +130,9 @@ struct Kernels {
   /// Central forces on every element, then velocity += kick · force / mass,
   /// place += drift · velocity.
   void (*move_by_central_forces)(CentralMotion&, std::size_t first, std::size_t last);
-  /// What every element shows of the cracks about it: laws/crack_lip.hpp.
-  void (*find_crack_lips)(const CentralMotion&, std::size_t first, std::size_t last);
-  /// Which of some places are near; given to find_neighbours.
+  /// What every element shows of the cracks about it: laws/crack_face.hpp.
+  void (*find_crack_faces)(const CentralMotion&, std::size_t first, std::size_t last);
+  /// Which of some positions are near; given to find_neighbours.
   PickNear pick_near;
   /// Explicit Euler step of the temperatures.
   void (*conduct)(const HeatFlow&, std::size_t first, std::size_t last);

@@ -89,33 +89,33 @@ inline Pack inverse_sqrt(Pack a) {
 /// `width` floats: half the bits, for laws that may do with them.
 typedef float HalfLanes __attribute__((vector_size(width * sizeof(float))));
 
-struct HalfPack {
+struct FloatPack {
   HalfLanes v;
 
-  HalfPack() : v{} {}
-  HalfPack(double s) : v(static_cast<float>(s) - HalfLanes{}) {}  // NOLINT: as of a Pack
-  explicit HalfPack(HalfLanes lanes) : v(lanes) {}
-  explicit HalfPack(Pack whole) : v(__builtin_convertvector(whole.v, HalfLanes)) {}
+  FloatPack() : v{} {}
+  FloatPack(double s) : v(static_cast<float>(s) - HalfLanes{}) {}  // NOLINT: as of a Pack
+  explicit FloatPack(HalfLanes lanes) : v(lanes) {}
+  explicit FloatPack(Pack whole) : v(__builtin_convertvector(whole.v, HalfLanes)) {}
 
   Pack whole() const { return Pack(__builtin_convertvector(v, Lanes)); }
 
-  friend HalfPack operator+(HalfPack a, HalfPack b) { return HalfPack(a.v + b.v); }
-  friend HalfPack operator-(HalfPack a, HalfPack b) { return HalfPack(a.v - b.v); }
-  friend HalfPack operator*(HalfPack a, HalfPack b) { return HalfPack(a.v * b.v); }
-  friend HalfPack operator/(HalfPack a, HalfPack b) { return HalfPack(a.v / b.v); }
-  friend HalfPack operator-(HalfPack a) { return HalfPack(-a.v); }
-  HalfPack& operator+=(HalfPack b) { return *this = *this + b; }
+  friend FloatPack operator+(FloatPack a, FloatPack b) { return FloatPack(a.v + b.v); }
+  friend FloatPack operator-(FloatPack a, FloatPack b) { return FloatPack(a.v - b.v); }
+  friend FloatPack operator*(FloatPack a, FloatPack b) { return FloatPack(a.v * b.v); }
+  friend FloatPack operator/(FloatPack a, FloatPack b) { return FloatPack(a.v / b.v); }
+  friend FloatPack operator-(FloatPack a) { return FloatPack(-a.v); }
+  FloatPack& operator+=(FloatPack b) { return *this = *this + b; }
 };
 
-inline HalfPack sqrt(HalfPack a) {
+inline FloatPack sqrt(FloatPack a) {
 #if defined(__AVX512F__)
-  return HalfPack(HalfLanes(_mm256_sqrt_ps(a.v)));
+  return FloatPack(HalfLanes(_mm256_sqrt_ps(a.v)));
 #elif defined(__AVX__)
-  return HalfPack(HalfLanes(_mm_sqrt_ps(a.v)));
+  return FloatPack(HalfLanes(_mm_sqrt_ps(a.v)));
 #else
   HalfLanes r = a.v;
   for (int k = 0; k < width; ++k) r[k] = __builtin_sqrtf(a.v[k]);
-  return HalfPack(r);
+  return FloatPack(r);
 #endif
 }
 
@@ -397,7 +397,7 @@ struct Row {
 namespace solidem {
 
 template <>
-inline constexpr double tiny_square<SOLIDEM_INSTRUCTION_SET::HalfPack> = 1e-36;
+inline constexpr double tiny_square<SOLIDEM_INSTRUCTION_SET::FloatPack> = 1e-36;
 
 }  // namespace solidem
 

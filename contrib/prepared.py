@@ -1,0 +1,420 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A prepared specimen (`solidem prepare`) and what a scene does to it (`solidem explain --json`).
+
+Everything is in SI units. This file needs no simulation program: numpy and h5py only.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+class PreparedError(ValueError):
+    """A prepared specimen or its parameters cannot be used; says file, place, value and remedy."""
+
+
+@dataclass(frozen=True)
+class Values:
+    """A value for each of some elements."""
+
+    elements: Integers  #: (n,) zero-based
+    values: Floats  #: (n,)
+
+
+@dataclass
+class Specimen:
+    """Elements and bonds of one body; the order of elements is that of the file, in every code."""
+
+    path: Path
+    position: Floats  #: (N, 3) m
+    radius: Floats  #: (N,) m
+    pairs: Integers  #: (B, 2), i < j
+    sets: dict[str, Integers] = field(default_factory=dict)
+    columns: dict[str, Floats] = field(default_factory=dict)  #: "mechanics/mass" -> (N,)
+    periodic: tuple[bool, bool, bool] = (False, False, False)
+    lower: Floats = field(default_factory=lambda: np.zeros(3))  #: corner of the body's box, m
+    upper: Floats = field(default_factory=lambda: np.zeros(3))  #: the opposite corner, m
+    volume: float = 0.0  #: of the body, m³
+    exchanges: dict[str, Values] = field(default_factory=dict)  #: conductances to the outside, W/K
+    powers: dict[str, Values] = field(default_factory=dict)  #: constant heat sources, W
+    conducting: Integers | None = None  #: (C, 2), i < j; None: the bonded pairs
+
+    @property
+    def conductors(self) -> Integers:
+        """(C, 2) pairs that heat passes between, i < j."""
+        return self.pairs if self.conducting is None else self.conducting
+
+    @property
+    def rest_length(self) -> Floats:
+        """(B,) distance of the bonded centres, m."""
+        return self._distance(self.pairs)
+
+    @property
+    def conductor_length(self) -> Floats:
+        """(C,) distance that heat goes between the centres of a pair, m."""
+        stored = self.columns.get("conduction/distance")
+        return self._distance(self.conductors) if stored is None else stored
+
+    def _distance(self, pairs: Integers) -> Floats:
+        chord = self.position[pairs[:, 1]] - self.position[pairs[:, 0]]
+        return np.sqrt(np.einsum("ij,ij->i", chord, chord))
+
+    def column(self, name: str) -> Floats:
+        """A value for each element, or for each pair of conductors; PreparedError when `solidem
+        prepare` did not store it."""
+        if name not in self.columns:
+            raise PreparedError(
+                f"{self.path}: /{name} is missing; prepare the specimen from a scene that uses it"
+            )
+        return self.columns[name]
+
+
+@dataclass(frozen=True)
+class Beams:
+    """Law, material and thickness of the beam bonds."""
+
+    young_modulus: float  #: E, Pa
+    shear_modulus: float  #: G, Pa
+    radius_ratio: float
+    radius_from: str  #: "mean" or "pair"
+    mean_radius: float  #: R_m, m
+    law: str = "euler-bernoulli"  #: or "timoshenko", "spring"
+    shear_coefficient: float = 0.9  #: κ of "timoshenko": shear force κ G S times the shear angle
+
+    def radius(self, specimen: Specimen) -> Floats:
+        """(B,) radius of each beam, m."""
+        if self.radius_from == "pair":
+            return self.radius_ratio * specimen.radius[specimen.pairs].mean(axis=1)
+        return np.full(len(specimen.pairs), self.radius_ratio * self.mean_radius)
+
+    def rigidity(self, specimen: Specimen) -> Floats:
+        """(B, 4) axial E S, N; bending 2 E I, shear 2 E I / (1 + Φ) and torsion G I_0, N m².
+
+        PreparedError when `solidem prepare` stored others: then beams differ in more than law and
+        radius, which is not understood.
+        """
+        area = np.pi * self.radius(specimen) ** 2
+        second_moment = area**2 / (4 * np.pi)
+        bending = 2 * self.young_modulus * second_moment
+        slack = np.zeros_like(area)
+        if self.law == "timoshenko":
+            slack = (12 * self.young_modulus * second_moment
+                     / (self.shear_coefficient * self.shear_modulus * area
+                        * specimen.rest_length**2))
+        found = np.stack([self.young_modulus * area, bending, bending / (1 + slack),
+                          2 * self.shear_modulus * second_moment], axis=1)
+        if self.law == "spring":
+            found[:, 1:] = 0
+        stored = specimen.columns.get("mechanics/rigidity")
+        if stored is not None and len(stored):
+            off = float((np.abs(stored - found) / found.max(axis=0).clip(1e-300)).max())
+            if off > 1e-9:
+                raise PreparedError(f"{specimen.path}: /mechanics/rigidity differs by {off:g} from "
+                                    f"that of {self.law} beams of one material; only such are "
+                                    "understood")
+        return found
+
+
+@dataclass(frozen=True)
+class Plasticity:
+    """When beams flow; strains are stresses over the beams' E."""
+
+    law: str  #: "radial-return" or "scaled-offset"
+    yield_strain: float = np.nan  #: σ_y / E, of "linear"
+    hardening_ratio: float = 0.0  #: H / E, of "linear"
+    hardening: str = "linear"  #: the yield law
+    parameters: dict[str, float] = field(default_factory=dict)  #: of the yield law by name
+
+
+@dataclass(frozen=True)
+class Rupture:
+    """When beams break; infinite: not by this."""
+
+    elastic_strain: float = np.inf  #: bound of σ_e / E, of "strain-limit"
+    strain: float = np.inf  #: bound of σ_e / E + plastic strain, of "strain-limit"
+    minimal_bonds: int = 0  #: elements that lost bonds and keep fewer are removed; 0: never
+    law: str = "strain-limit"
+    parameters: dict[str, float] = field(default_factory=dict)  #: of the law by name
+
+
+@dataclass(frozen=True)
+class Contact:
+    """How elements that lost bonds push each other."""
+
+    stiffness_ratio: float = 1.0  #: of E S / l
+    rebonding_pressure: float | None = None  #: Pa, above which a new bond is made
+
+
+@dataclass(frozen=True)
+class CentralForces:
+    """Central law between elements, and between which of them it acts."""
+
+    law: str  #: "piecewise", "lennard-jones", "shifted-lennard-jones", "mie" or "threshold"
+    parameters: dict[str, float]  #: of the law by name
+    range: float  #: α: pairs nearer than α (R_i + R_j) interact
+    equilibrium: str = "initial"  #: distance of equilibrium: "initial", or R_i + R_j: "radii"
+    neighbours: str = "changing"  #: or "fixed": the initial pairs alone
+    interpenetration: float = 0.1  #: a: below (1 − a) δ_eq the force goes on along its tangent
+    dissipation: float = 0.0  #: c, N s/m
+    skin: float = 0.1  #: of neighbour lists, mean radii
+    bond_tolerance: float | None = None  #: initial pairs: d <= (1 + t)(R_i + R_j); None: range - 1
+
+
+@dataclass(frozen=True)
+class Damage:
+    """How bodies of central forces crack."""
+
+    #: C: an element is on a crack face when its barycentre is farther than C R_i.
+    crack_threshold: float | None = None
+    every: int = 1  #: steps between looks at the barycentres
+    minimal_neighbours: int = 0  #: elements that lost neighbours and keep fewer are removed
+    removal_every: int = 100  #: steps between removals
+
+
+@dataclass(frozen=True)
+class Conduction:
+    """Law and material of the conducting body."""
+
+    conductivity: float  #: λ, W/(m K)
+    initial_temperature: float  #: K
+    specific_heat_capacity: float = float("nan")  #: c_p, J/(kg K)
+    law: str = "platonic"  #: or "platonic-calibrated", "voronoi"
+    area_factor: float = 1.0  #: of platonic-calibrated
+
+    def conductance(self, specimen: Specimen) -> Floats:
+        """(C,) conductance of each pair, W/K, in one material."""
+        if self.law == "voronoi":
+            area = specimen.column("conduction/area")
+        else:
+            sides = specimen.column("conduction/transmission_area")[specimen.conductors]
+            area = np.sqrt(sides[:, 0] * sides[:, 1])
+        return self.conductivity * area / specimen.conductor_length
+
+    def require_one_material(self, specimen: Specimen, remedy: str = "") -> None:
+        """PreparedError when some pair conducts other than this material does."""
+        stored = specimen.columns.get("conduction/conductance")
+        if stored is None or not len(stored):
+            return
+        off = float(np.abs(stored / self.conductance(specimen) - 1).max())
+        if off > 1e-9:
+            raise PreparedError(f"{specimen.path}: /conduction/conductance differs by {off:g} from "
+                                f"that of {self.conductivity} W/(m K) everywhere; only one material "
+                                f"is understood{remedy}")
+
+
+@dataclass(frozen=True)
+class Grip:
+    """Elements held or moved at constant velocity; an axis that is None is free."""
+
+    name: str
+    velocity: tuple[float | None, float | None, float | None]  #: m/s
+    rotation_fixed: bool
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """What a scene asks for."""
+
+    time_step: float  #: s
+    steps: int
+    beams: Beams | None
+    conduction: Conduction | None
+    grips: tuple[Grip, ...]
+    temperatures: dict[str, float]  #: name -> imposed temperature, K
+    exchanges: dict[str, float] = field(default_factory=dict)  #: name -> outer temperature, K
+    powers: tuple[str, ...] = ()  #: names of constant heat sources
+    unsupported: tuple[str, ...] = ()  #: what the scene asks of solidem alone
+    plasticity: Plasticity | None = None
+    rupture: Rupture | None = None
+    contact: Contact | None = None
+    central_forces: CentralForces | None = None
+    damage: Damage | None = None
+
+    def require_support(self) -> None:
+        """PreparedError when the scene asks for what other codes are not given."""
+        if self.unsupported:
+            raise PreparedError("; ".join(self.unsupported))
+
+
+def _values(group: Any, name: str) -> dict[str, Values]:
+    """Values of some elements by the names of the groups that hold them."""
+    return {key: Values(np.asarray(entry["elements"][:], dtype=np.int64),
+                        np.asarray(entry[name][:], dtype=float)) for key, entry in group.items()}
+
+
+def read_specimen(path: str | Path) -> Specimen:
+    """Reads a prepared specimen; PreparedError names what is missing."""
+    path = Path(path)
+    try:
+        with h5py.File(path) as file:
+            if "elements/position" not in file or "elements/radius" not in file:
+                raise PreparedError(f"{path}: no /elements/position and /elements/radius")
+            groups = [name for name in ("mechanics", "conduction") if name in file]
+            loads = file.get("conduction", {})
+            domain = dict(file["domain"].attrs) if "domain" in file else {}
+            periodic = [bool(p) for p in domain.get("periodic", (0, 0, 0))]
+            pairs = file["bonds/pairs"][:] if "bonds/pairs" in file else np.zeros((0, 2))
+            return Specimen(
+                path,
+                np.ascontiguousarray(file["elements/position"][:], dtype=float),
+                np.ascontiguousarray(file["elements/radius"][:], dtype=float),
+                np.asarray(pairs, dtype=np.int64),
+                {k: np.asarray(v[:], dtype=np.int64) for k, v in file.get("sets", {}).items()},
+                {f"{g}/{k}": np.asarray(v[:], dtype=float) for g in groups
+                 for k, v in file[g].items() if isinstance(v, h5py.Dataset) and k != "pairs"},
+                (periodic[0], periodic[1], periodic[2]),
+                np.array(domain.get("lower", np.zeros(3)), dtype=float),
+                np.array(domain.get("upper", np.zeros(3)), dtype=float),
+                float(domain.get("volume", 0.0)),
+                _values(loads.get("exchanges", {}), "conductance"),
+                _values(loads.get("powers", {}), "power"),
+                np.asarray(loads["pairs"][:], dtype=np.int64) if "pairs" in loads else None,
+            )
+    except OSError as error:
+        raise PreparedError(f"{path}: cannot be read as HDF5 ({error})") from error
+
+
+def _constant(function: dict[str, Any], where: str) -> float:
+    """The value of a function of time that does not vary; PreparedError otherwise."""
+    values = {float(v) for v in function["value"]}
+    if len(values) != 1 or function.get("amplitude"):
+        raise PreparedError(f"{where}: {function} varies with time; only constants are understood")
+    return values.pop()
+
+
+def _axis_velocity(axis: dict[str, Any], where: str) -> float | None:
+    """Velocity imposed along one axis, None when free; a displacement must be constant zero."""
+    if axis["kind"] == "free":
+        return None
+    if axis["kind"] not in ("velocity", "displacement"):
+        raise PreparedError(f"{where}: {axis}; expected free, a velocity or a zero displacement")
+    value = _constant(axis["function"], where)
+    if axis["kind"] == "displacement" and value != 0:
+        raise PreparedError(f"{where}: a jump of {value} m at the start; impose a velocity")
+    return value
+
+
+def _grips(entries: list[dict[str, Any]], unsupported: list[str]) -> tuple[Grip, ...]:
+    """Grips held or moved steadily; others are unsupported."""
+    found = []
+    for entry in entries:
+        try:
+            x, y, z = (_axis_velocity(axis, f"grip {entry['name']}") for axis in entry["axes"])
+            found.append(Grip(entry["name"], (x, y, z), entry["rotation"] == "fixed"))
+        except PreparedError as error:
+            unsupported.append(str(error))
+    return tuple(found)
+
+
+def _known(kind: type, law: dict[str, Any] | None) -> Any:
+    """A dataclass from the keys it knows that are there and not null; None from nothing."""
+    if not law:
+        return None
+    return kind(**{k: law[k] for k in kind.__dataclass_fields__ if law.get(k) is not None})
+
+
+def _beams(law: dict[str, Any] | None, unsupported: list[str]) -> Beams | None:
+    """Beams of one material; moduli that depend on direction are unsupported."""
+    for name in ("anisotropy", "fibres"):
+        if law and law.get(name):
+            unsupported.append(f"beams with {name} are not understood")
+    if law and law.get("shear_modulus") is None:  # of a spring
+        law = {**law, "shear_modulus": 0.0}
+    found: Beams | None = _known(Beams, law)
+    return found
+
+
+def _conduction(law: dict[str, Any], unsupported: list[str]) -> Conduction:
+    """Law and material; what is not one number is unsupported, and nan."""
+    def number(name: str) -> float:
+        value = law.get(name)
+        if isinstance(value, (int, float)):
+            return float(value)
+        unsupported.append(f"{name} is {value}; only one number for the whole body is understood")
+        return float("nan")
+
+    if law.get("integrator", "explicit") != "explicit":
+        unsupported.append(f"integrator {law['integrator']!r}; only 'explicit' is understood")
+    return Conduction(
+        number("conductivity"), number("initial_temperature"),
+        number("specific_heat_capacity") if "specific_heat_capacity" in law else float("nan"),
+        law.get("law", "platonic"), float(law.get("area_factor") or 1.0))
+
+
+def _temperatures(entries: list[dict[str, Any]], unsupported: list[str]) -> dict[str, float]:
+    """Imposed temperatures that stay the same; others are unsupported."""
+    found = {}
+    for entry in entries:
+        try:
+            found[entry["name"]] = _constant(entry["value"], f"temperature {entry['name']}")
+        except PreparedError as error:
+            unsupported.append(str(error))
+    return found
+
+
+def _exchanges(entries: list[dict[str, Any]], unsupported: list[str]) -> dict[str, float]:
+    """Outer temperatures that stay the same; others are unsupported."""
+    for entry in entries:
+        if entry["temperature"] is None:
+            unsupported.append(f"exchange {entry['name']}: varies with time; only constants are "
+                               "understood")
+    return {entry["name"]: float(entry["temperature"]) for entry in entries
+            if entry["temperature"] is not None}
+
+
+def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
+    """A law of bonds with its parameters by name too, but for those without limit."""
+    if law is None:
+        return None
+    parameters = {name: float(value) for name, value in law.items()
+                  if isinstance(value, (int, float)) and name != "minimal_bonds"}
+    return replace(_known(kind, law), parameters=parameters)
+
+
+def parse_parameters(explained: dict[str, Any]) -> Parameters:
+    """Parameters from the object that `solidem explain --json` prints."""
+    laws = explained.get("laws", {})
+    conduction = None
+    unsupported: list[str] = []
+    if laws.get("conduction"):
+        conduction = _conduction(laws["conduction"], unsupported)
+    if explained.get("initial_velocities"):
+        unsupported.append("initial velocities are not understood")
+    for entry in explained.get("powers") or []:
+        if not entry["constant"]:
+            unsupported.append(f"heat source {entry['name']}: varies; only constants in elements "
+                               "that stay the same are understood")
+    return Parameters(
+        float(explained["time_step"]["value"]),
+        int(explained["steps"]),
+        _beams(laws.get("beams"), unsupported),
+        conduction,
+        _grips(explained.get("grips") or [], unsupported),
+        _temperatures(explained.get("temperatures") or [], unsupported),
+        _exchanges(explained.get("exchanges") or [], unsupported),
+        tuple(entry["name"] for entry in explained.get("powers") or []),
+        tuple(unsupported),
+        _law_of_bonds(Plasticity, laws.get("plasticity")),
+        _law_of_bonds(Rupture, laws.get("rupture")),
+        _known(Contact, laws.get("contact")),
+        _known(CentralForces, laws.get("central_forces")),
+        _known(Damage, laws.get("damage")),
+    )
+
+
+def read_parameters(path: str | Path) -> Parameters:
+    """Parameters from a file; PreparedError names what is missing."""
+    try:
+        return parse_parameters(json.loads(Path(path).read_text()))
+    except (KeyError, TypeError, json.JSONDecodeError) as error:
+        raise PreparedError(f"{path}: {type(error).__name__} {error}") from error
