@@ -100,25 +100,39 @@ struct EmptyReading {
   Reading reading{setup, regions, bond_tolerance, {}};
 };
 
-/// A kind whose section stands once.
+/// What every kind knows of its keys, whether its section stands once or several times.
 template <class Parameters>
-EffectKind single_kind(const std::string& section, BindKeys<Parameters> keys,
-                       FinishReading<Parameters> finish) {
+EffectKind kind_with_keys(const std::string& section, BindKeys<Parameters> keys) {
   EffectKind kind;
   kind.section = section;
-  kind.is_named = [](const Setup& setup) { return setup.get<Parameters>().has_value(); };
-  kind.read = [keys, finish](const Value& value, Reading& reading) {
-    table([&](const Section& given) {
-      Parameters parameters;
-      given.read(keys(parameters, reading));
-      finish(given, parameters, reading);
-      reading.setup.get<Parameters>() = parameters;
-    }).read(value);
-  };
   kind.visit_keys = [section, keys](const VisitKeys& visit) {
     EmptyReading empty;
     Parameters parameters;
     visit(section, keys(parameters, empty.reading));
+  };
+  return kind;
+}
+
+/// The parameters that one section gives.
+template <class Parameters>
+Parameters read_parameters(const Section& given, BindKeys<Parameters> keys,
+                           FinishReading<Parameters> finish, Reading& reading) {
+  Parameters parameters;
+  given.read(keys(parameters, reading));
+  finish(given, parameters, reading);
+  return parameters;
+}
+
+/// A kind whose section stands once.
+template <class Parameters>
+EffectKind single_kind(const std::string& section, BindKeys<Parameters> keys,
+                       FinishReading<Parameters> finish) {
+  EffectKind kind = kind_with_keys(section, keys);
+  kind.is_named = [](const Setup& setup) { return setup.get<Parameters>().has_value(); };
+  kind.read = [keys, finish](const Value& value, Reading& reading) {
+    table([&](const Section& given) {
+      reading.setup.get<Parameters>() = read_parameters(given, keys, finish, reading);
+    }).read(value);
   };
   kind.explain = [keys](const Setup& setup, const Specimen&, nlohmann::ordered_json& values) {
     EmptyReading empty;
@@ -132,22 +146,13 @@ EffectKind single_kind(const std::string& section, BindKeys<Parameters> keys,
 template <class Parameters>
 EffectKind list_kind(const std::string& section, BindKeys<Parameters> keys,
                      FinishReading<Parameters> finish) {
-  EffectKind kind;
-  kind.section = section;
+  EffectKind kind = kind_with_keys(section, keys);
   kind.is_list = true;
   kind.is_named = [](const Setup& setup) { return !setup.all<Parameters>().empty(); };
   kind.read = [keys, finish](const Value& value, Reading& reading) {
     tables([&](const Section& given) {
-      Parameters parameters;
-      given.read(keys(parameters, reading));
-      finish(given, parameters, reading);
-      reading.setup.all<Parameters>().push_back(parameters);
+      reading.setup.all<Parameters>().push_back(read_parameters(given, keys, finish, reading));
     }).read(value);
-  };
-  kind.visit_keys = [section, keys](const VisitKeys& visit) {
-    EmptyReading empty;
-    Parameters parameters;
-    visit(section, keys(parameters, empty.reading));
   };
   kind.explain = [keys](const Setup& setup, const Specimen&, nlohmann::ordered_json& list) {
     EmptyReading empty;
