@@ -11,6 +11,7 @@
 #include "app/bond_sections.hpp"
 #include "app/calibrate_orthotropic.hpp"
 #include "app/commands.hpp"
+#include "app/notes.hpp"
 #include "engine/calibration.hpp"
 #include "engine/tension_bench.hpp"
 #include "model/error.hpp"
@@ -18,6 +19,8 @@
 #include "output/replace_file.hpp"
 #include "output/summary.hpp"
 #include "scene/body.hpp"
+#include "specimen/pieces.hpp"
+#include "specimen/report.hpp"
 
 namespace solidem {
 
@@ -203,6 +206,11 @@ int calibrate_scene(const CalibrateCommand& command) {
   fmt::print("{}: {} specimen(s) of {} elements, {} bonds in the first, from seed {}\n",
              scene.title, specimens.size(), specimens[0].size(), specimens[0].bonds.size(),
              scene.specimen.seed);
+  if (specimens[0].report.count(estimated_volume) != 0)
+    throw InputError(command.scene +
+                     ": [calibration] stress is force over the section of the body, which the "
+                     "specimen's file does not tell; expected [specimen] shape or volume");
+  print_notes(notes_on(specimens[0], specimens[0].bonds));
 
   if (scene.orthotropic_calibration)
     return calibrate_orthotropic_scene(scene, specimens, directory);

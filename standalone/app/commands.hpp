@@ -63,6 +63,9 @@ void plot_laws(const LawPlotCommand& command);
 /// `solidem keys`: the sections of effects, their keys and defaults, as Markdown; "": of all.
 void list_keys(const std::string& section);
 
+/// The formats of specimens, their columns and units, to print.
+std::string specimen_formats();
+
 /// `solidem convert`, `solidem info`.
 void convert_specimen(const std::string& from, const std::string& to);
 void describe_specimen(const std::string& file);

@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/notes.hpp"
 #include "model/error.hpp"
 #include "scene/body.hpp"
 #include "solve/calibration/orthotropic_calibration.hpp"
 #include "specimen/bonds.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -65,6 +67,7 @@ void measure_constants(const std::string& path, bool json) {
   }
   fmt::print("{}: {} elements, {} bonds of which {} are fibres\n", scene.title, specimen.size(),
              specimen.bonds.size(), fibres);
+  print_notes(notes_on(specimen, specimen.bonds));
   fmt::print("L {}  R {}  T {}\n", text_of(axes.longitudinal), text_of(axes.radial),
              text_of(axes.tangential()));
   for (std::size_t c = 0; c < 9; ++c)

@@ -7,12 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/notes.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/heat_exchange.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
 #include "scene/body.hpp"
 #include "solve/heat/heat_integrator.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -136,6 +138,7 @@ Json report_of(const Scene& scene, Simulation& simulation) {
   report["bonds"] = model.slots().bonds();
   report["slots"] = model.slots().rows() * lanes;
   report["unbonded_elements"] = simulation.unbonded();
+  report["notes"] = notes_on(simulation.model().specimen(), simulation.pairs());
   report["bytes"] = model.bytes();
   report["time_step"] = {{"value", dt.value},
                          {"bound", dt.bound},
@@ -197,9 +200,7 @@ void print(const Json& report) {
   fmt::print("{} elements, {} bonds, {} steps: about {:.3g} s\n", report["elements"].get<long>(),
              report["bonds"].get<long>(), report["steps"].get<long>(),
              step * report["steps"].get<double>());
-  if (report["unbonded_elements"].get<long>() > 0)
-    fmt::print("{} elements have no bond: nothing moves or heats them, no measure counts them\n",
-               report["unbonded_elements"].get<long>());
+  print_notes(report["notes"].get<std::vector<std::string>>());
 }
 
 }  // namespace

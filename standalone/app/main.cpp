@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
 #include <new>
 
 #include "app/commands.hpp"
+#include "keys/nearest_name.hpp"
 #include "model/error.hpp"
 #include "output/summary.hpp"
 
@@ -92,6 +94,7 @@ int main(int argc, char** argv) {
 
   auto* convert =
       app.add_subcommand("convert", "Convert a specimen: .h5, .data (LIGGGHTS), .txt (YADE), .csv");
+  convert->footer(solidem::specimen_formats());
   convert->add_option("from", from, "file to read")->required();
   convert->add_option("to", to, "file to write")->required();
   convert->callback([&] { chosen = [&] { return solidem::convert_specimen(from, to), 0; }; });
@@ -126,8 +129,18 @@ int main(int argc, char** argv) {
 
   auto* info = app.add_subcommand("info", "Print the report of a specimen");
   info->add_option("file", from, "specimen file")->required();
+  info->footer(solidem::specimen_formats());
   info->callback([&] { chosen = [&] { return solidem::describe_specimen(from), 0; }; });
 
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (argc > 1 && argv[1][0] != '-' &&
+      std::find(names.begin(), names.end(), argv[1]) == names.end()) {
+    std::fprintf(stderr, "error: there is no command \"%s\"%s; expected one of %s\n", argv[1],
+                 solidem::did_you_mean(argv[1], names).c_str(), solidem::join(names).c_str());
+    return 2;
+  }
   CLI11_PARSE(app, argc, argv);
   try {
     return chosen();

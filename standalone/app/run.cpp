@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/notes.hpp"
 #include "effects/central_forces.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
@@ -18,6 +19,7 @@
 #include "scene/body.hpp"
 #include "scene/fingerprint.hpp"
 #include "solve/heat/heat_integrator.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -67,10 +69,7 @@ int run_scene(const RunCommand& command) {
   fmt::print("{}: {} elements, {} bonds, {} steps of {:.4g} s -> {}\n", scene.title,
              simulation.model().elements(), slots.bonds(), simulation.steps_to_run(),
              simulation.time_step().value, options.directory);
-  if (simulation.unbonded() > 0)
-    fmt::print(
-        "note: {} elements have no bond: nothing moves or heats them, no measure counts them\n",
-        simulation.unbonded());
+  print_notes(notes_on(simulation.model().specimen(), simulation.pairs()));
   if (simulation.time_step().value > simulation.time_step().limit)
     fmt::print("warning: the time step is beyond the stable limit {:.4g} s, as forced\n",
                simulation.time_step().limit);

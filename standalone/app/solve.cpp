@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/notes.hpp"
+#include "effects/effect_kind.hpp"
+#include "keys/nearest_name.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/error.hpp"
 #include "output/disk.hpp"
@@ -17,6 +20,7 @@
 #include "solve/statics/finite_equilibrium.hpp"
 #include "solve/statics/modes.hpp"
 #include "solve/statics/static_grips.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -24,6 +28,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
+
+constexpr double largest_residual = 1e-3;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -40,6 +46,7 @@ struct StaticScene {
   std::vector<double> mass;
   double time;  ///< s, at which the grips stand
   GripConditions conditions;
+  std::vector<std::string> notes;  ///< on what is left out
 };
 
 std::vector<double> masses_of(const Simulation& simulation) {
@@ -47,6 +54,67 @@ std::vector<double> masses_of(const Simulation& simulation) {
   std::vector<double> mass(simulation.model().elements());
   for (std::size_t i = 0; i < mass.size(); ++i) mass[i] = 1 / inverse[i];
   return mass;
+}
+
+/// Sections that act in a run and not in a body at rest. Refuses those that would change it.
+std::vector<std::string> sections_left_out(const Scene& scene) {
+  const auto is_one_of = [](const std::string& section, std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), section) != names.end();
+  };
+  std::vector<std::string> left_out;
+  for (const EffectKind& kind : effect_kinds()) {
+    // Of yield and rupture the solution tells by itself whether they would count.
+    if (!kind.is_named(scene.setup) ||
+        is_one_of(kind.section, {"beams", "grips", "plasticity", "rupture"}))
+      continue;
+    const std::string name = kind.is_list ? "[[" + kind.section + "]]" : "[" + kind.section + "]";
+    const bool is_thermal = kind.provides == Provides::heat || kind.needs == Provides::heat;
+    if (!is_thermal && !is_one_of(kind.section, {"contact", "initial_velocities"}))
+      throw InputError(scene.path + ": " + name +
+                       " acts in a run, and `solidem solve` does not know it; expected a scene "
+                       "without it");
+    left_out.push_back(name);
+  }
+  return left_out;
+}
+
+std::vector<char> elements_of(const BeamNetwork& network) {
+  std::vector<char> inside(network.specimen->size(), 0);
+  for (const Pair& pair : network.bonds)
+    inside[static_cast<std::size_t>(pair.i)] = inside[static_cast<std::size_t>(pair.j)] = 1;
+  return inside;
+}
+
+/// Notes what is left out of the body that is solved for. Refuses a grip that holds nothing of it.
+void note_what_is_left_out(const Scene& scene, const Simulation& simulation, StaticScene& body) {
+  const std::vector<std::string> sections = sections_left_out(scene);
+  if (!sections.empty())
+    body.notes.push_back(join(sections) + ": left out, a body at rest does not know of it");
+  for (std::string& note : notes_on(body.specimen, body.specimen.bonds))
+    body.notes.push_back(std::move(note));
+  const std::vector<char> inside = elements_of(body.network);
+  const auto count = std::count(inside.begin(), inside.end(), 1);
+  if (static_cast<std::size_t>(count) < inside.size())
+    body.notes.push_back(
+        fmt::format("solved for the largest piece, {} of {} elements; the others are left out and "
+                    "stay where they are",
+                    count, inside.size()));
+  for (const GripParameters& grip : scene.setup.all<GripParameters>()) {
+    const std::vector<std::int32_t>& held = simulation.selections().at("grip." + grip.name);
+    const auto outside = std::count_if(held.begin(), held.end(), [&](std::int32_t e) {
+      return inside[static_cast<std::size_t>(e)] == 0;
+    });
+    if (static_cast<std::size_t>(outside) == held.size())
+      throw InputError(fmt::format(
+          "{}: grip \"{}\": none of its {} elements belongs to the body that is solved for, the "
+          "largest piece, of {} of {} elements; expected a region that reaches it, or bonds that "
+          "join the pieces ([bonds] tolerance)",
+          scene.path, grip.name, held.size(), count, inside.size()));
+    if (outside > 0)
+      body.notes.push_back(
+          fmt::format("grip \"{}\": {} of its {} elements are outside of that body", grip.name,
+                      outside, held.size()));
+  }
 }
 
 void set_up(const Scene& scene, StaticScene& body) {
@@ -58,6 +126,7 @@ void set_up(const Scene& scene, StaticScene& body) {
   body.specimen = simulation.model().specimen();
   body.specimen.bonds = simulation.model().slots().pairs();
   body.network = beam_network(*scene.setup.get<BeamParameters>(), body.specimen);
+  note_what_is_left_out(scene, simulation, body);
   body.mass = masses_of(simulation);
   body.time = scene.setup.run.duration.value_or(static_cast<double>(simulation.steps_to_run()) *
                                                 simulation.time_step().value);
@@ -123,9 +192,8 @@ void write_trajectories(const std::string& directory, const StaticScene& body,
 }
 
 /// What the scene asks for and a static solution leaves out.
-std::vector<std::string> notes_of(const Setup& setup, double largest_strain,
-                                  const Equilibrium& equilibrium) {
-  std::vector<std::string> notes;
+void add_notes(const Setup& setup, double largest_strain, const Equilibrium& equilibrium,
+               std::vector<std::string>& notes) {
   const bool is_strain_limit =
       setup.get<RuptureParameters>() &&
       std::holds_alternative<StrainLimit>(setup.get<RuptureParameters>()->law);
@@ -149,7 +217,15 @@ std::vector<std::string> notes_of(const Setup& setup, double largest_strain,
   }
   if (equilibrium.unstable)
     notes.emplace_back("the equilibrium is unstable: the body would buckle");
-  return notes;
+}
+
+/// Where nothing strains the bonds their forces are round-off, and none of the figures counts.
+void insist_on_balance(const Scene& scene, const Equilibrium& equilibrium) {
+  if (equilibrium.residual <= largest_residual) return;
+  throw RunError(fmt::format(
+      "{}: no equilibrium was found: forces out of balance are {:.2g} of the bonds' forces, which "
+      "are no more than round-off; expected grips that strain the body",
+      scene.path, equilibrium.residual));
 }
 
 }  // namespace
@@ -179,6 +255,7 @@ void solve_scene(const SolveCommand& command) {
   std::vector<Mode> modes;
   try {
     equilibrium = find_equilibrium(body, command);
+    insist_on_balance(scene, equilibrium);
     lap("equilibrium");
     modes = find_modes(body, command, equilibrium);
     lap("modes");
@@ -243,10 +320,9 @@ void solve_scene(const SolveCommand& command) {
     summary["mode_residuals"].push_back(mode.residual);
     fmt::print("mode {}: {:.6g} Hz\n", summary["frequencies"].size(), mode.frequency);
   }
-  for (const std::string& note : notes_of(scene.setup, largest_strain, equilibrium)) {
-    summary["notes"].push_back(note);
-    fmt::print("note: {}\n", note);
-  }
+  add_notes(scene.setup, largest_strain, equilibrium, body.notes);
+  print_notes(body.notes);
+  if (!body.notes.empty()) summary["notes"] = body.notes;
   summary["wall_seconds"] = seconds;
   summary["peak_memory_bytes"] = peak_memory_bytes();
   summary["threads"] = omp_get_max_threads();

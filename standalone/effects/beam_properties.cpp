@@ -33,7 +33,8 @@ void orient(const Anisotropy& grain, const Vector& direction, BeamSection<double
 BeamProperties::BeamProperties(const BeamParameters& parameters, const Specimen& specimen)
     : parameters_(parameters),
       mean_radius_(mean_radius(specimen)),
-      bond_tolerance_(specimen.bond_tolerance) {}
+      bond_tolerance_(specimen.bond_tolerance),
+      contact_margin_(specimen.contact_margin) {}
 
 BeamSection<double> BeamProperties::section(double radius_i, double radius_j,
                                             const Vector& chord) const {
@@ -41,7 +42,8 @@ BeamSection<double> BeamProperties::section(double radius_i, double radius_j,
       parameters_.radius_from == RadiusFrom::mean ? mean_radius_ : 0.5 * (radius_i + radius_j);
   BeamSection<double> section{parameters_.young_modulus, parameters_.shear_modulus,
                               parameters_.radius_ratio * radius};
-  if (parameters_.fibres && is_fibre(radius_i, radius_j, norm(chord), bond_tolerance_)) {
+  if (parameters_.fibres &&
+      is_fibre(radius_i, radius_j, norm(chord), bond_tolerance_, contact_margin_)) {
     section.young_modulus *= parameters_.fibres->stiffness_ratio;
     section.shear_modulus *= parameters_.fibres->stiffness_ratio;
   } else if (parameters_.anisotropy) {

@@ -27,7 +27,7 @@ class BeamProperties {
 
  private:
   BeamParameters parameters_;
-  double mean_radius_, bond_tolerance_;
+  double mean_radius_, bond_tolerance_, contact_margin_;
 };
 
 }  // namespace solidem

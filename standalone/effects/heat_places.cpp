@@ -17,10 +17,12 @@ std::vector<WallFace> faces_of(const Assembly& assembly, const std::string& sect
     std::string known;
     for (const std::string& other : wall_names(specimen.domain))
       known += (known.empty() ? "" : ", ") + other;
-    throw InputError(target + ": the body has no such wall; expected one of " +
-                     (known.empty()
-                          ? "those of a shape: this body (" + specimen.domain.shape + ") has none"
-                          : known));
+    throw InputError(
+        target + ": the body has no such wall; expected one of " +
+        (known.empty()
+             ? "those of a shape, and this body has none; [specimen] shape and its measures "
+               "give one to the spheres of a file"
+             : known));
   }
   if (found->second.empty())
     throw InputError(target +

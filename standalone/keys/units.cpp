@@ -3,11 +3,15 @@
 
 #include <udunits2.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "model/error.hpp"
@@ -90,6 +94,36 @@ std::string suggestion(const std::string& number, const std::string& unit,
   return text.empty() ? text : text + "?)";
 }
 
+/// Signs as people and programs print them, in those that UDUNITS reads: "W⋅m⁻¹" as "W.m^-1".
+std::string spelt_plainly(std::string text) {
+  static const std::pair<const char*, const char*> signs[] = {
+      {"⁻", "-"}, {"⁺", ""},  {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
+      {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"}};
+  static const std::pair<const char*, const char*> others[] = {
+      {"−", "-"}, {"⋅", "."}, {"∙", "."},      {"•", "."},      {"×", "."},
+      {"º", "°"}, {"˚", "°"}, {"\u00a0", " "}, {"\u202f", " "}, {"\u2009", " "}};
+  std::string plain;
+  bool is_raised = false;
+  for (std::size_t k = 0; k < text.size();) {
+    const auto stands_here = [&](const auto& sign) {
+      return text.compare(k, std::strlen(sign.first), sign.first) == 0;
+    };
+    const auto sign = std::find_if(std::begin(signs), std::end(signs), stands_here);
+    const auto other = std::find_if(std::begin(others), std::end(others), stands_here);
+    if (sign != std::end(signs)) {
+      plain += (is_raised ? "" : "^") + std::string(sign->second);
+      k += std::strlen(sign->first);
+    } else if (other != std::end(others)) {
+      plain += other->second;
+      k += std::strlen(other->first);
+    } else {
+      plain += text[k++];
+    }
+    is_raised = sign != std::end(signs);
+  }
+  return plain;
+}
+
 /// The number at the start of a quantity; `rest` is what follows it.
 double leading_number(const std::string& quantity, std::string& number, std::string& rest) {
   const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
@@ -150,7 +184,7 @@ double convert(double value, const Unit& unit, const std::string& unit_text,
 
 double to_si(const std::string& quantity, const Dimension& expected) {
   std::string number, unit_text;
-  const double value = leading_number(quantity, number, unit_text);
+  const double value = leading_number(spelt_plainly(quantity), number, unit_text);
   if (unit_text.empty()) throw InputError("has no unit");
   if (unit_text.front() == ',') throw InputError("a decimal comma; write a point");
   const Unit unit = looks_like_a_unit(unit_text) ? parse_unit(unit_text) : nullptr;

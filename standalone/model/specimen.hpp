@@ -27,7 +27,7 @@ struct Domain {
   std::string shape = "imported";  ///< box, plate, cylinder, annulus, wedge, crystal or imported
   Vector lower{}, upper{};         ///< bounding box of the body, m
   std::array<bool, 3> periodic{false, false, false};
-  double volume = 0;  ///< exact volume of the body, m³
+  double volume = 0;  ///< of the body, m³: exact, or (imported, and not told) of its cut cells
 
   /// Round bodies (cylinder, annulus, wedge); else −1 and zeros.
   int axis = -1;            ///< 0, 1, 2
@@ -57,6 +57,9 @@ struct Specimen {
   Domain domain;
   std::vector<Pair> bonds;  ///< sorted, each pair once; rest length = distance of `position`
   double bond_tolerance = -1;  ///< t of d ≤ (1+t)(R_i+R_j) that made the bonds; −1: unknown or none
+  /// Relative: elements that stand farther apart by this much still touch. It follows the digits
+  /// with which positions were given.
+  double contact_margin = 1e-12;
   std::map<std::string, std::vector<std::int32_t>> sets;  ///< named groups of elements
   std::map<std::string, double> report;                   ///< figures of the packing, by name
 

@@ -124,10 +124,11 @@ void LinkedCells::find_ranges_around(std::size_t cell, std::vector<Range>& range
 }
 
 std::vector<Pair> neighbour_pairs(const CellBox& box, const std::vector<Vector>& position,
-                                  const std::vector<double>& radius, double tolerance) {
+                                  const std::vector<double>& radius, double tolerance,
+                                  double margin) {
   if (position.size() < 2) return {};
   const double largest = *std::max_element(radius.begin(), radius.end());
-  const double stretch = (1.0 + tolerance) * (1.0 + 1e-12);
+  const double stretch = (1.0 + tolerance) * (1.0 + margin);
   // A little more than the longest distance (the thesis' 1.004): no pair is lost to round-off.
   LinkedCells cells(box, 1.004 * stretch * 2.0 * largest, position.size());
   cells.sort(position);

@@ -79,11 +79,12 @@ class LinkedCells {
   std::vector<std::size_t> cell_of_;
 };
 
-/// The pairs with d_ij ≤ (1 + tolerance)(R_i + R_j)(1 + 1e-12), d_ij the distance of the nearest
+/// The pairs with d_ij ≤ (1 + tolerance)(R_i + R_j)(1 + margin), d_ij the distance of the nearest
 /// images; sorted, i < j, the same on any number of threads. In a periodic direction the box must
 /// be longer than twice the longest such distance: the caller checks.
 std::vector<Pair> neighbour_pairs(const CellBox& box, const std::vector<Vector>& position,
-                                  const std::vector<double>& radius, double tolerance);
+                                  const std::vector<double>& radius, double tolerance,
+                                  double margin = 1e-12);
 
 // ---------------------------------------------------------------------------------------------------
 

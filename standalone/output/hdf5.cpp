@@ -220,6 +220,11 @@ std::vector<T> Hdf5Group::read(const std::string& name, std::size_t rows,
   const Handle set = owned(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle type = owned(H5Dget_type(*set), H5Tclose);
   if (!is_numeric(*type)) fail_reading(name, "does not hold numbers");
+  // A damaged extent must not ask for all memory.
+  const double bytes = static_cast<double>(found[0]) * static_cast<double>(columns ? columns : 1) *
+                       static_cast<double>(H5Tget_size(*type));
+  if (bytes > static_cast<double>(H5Dget_storage_size(*set)))
+    fail_reading(name, "has shape " + as_text(found) + ", more than the file holds of it");
   std::vector<T> values(found[0] * (columns ? columns : 1));
   if (!values.empty() &&
       H5Dread(*set, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
@@ -286,6 +291,9 @@ std::vector<double> Hdf5Group::numbers_attribute(const std::string& name, std::s
   const Handle type = owned(H5Aget_type(*attribute), H5Tclose);
   if (!is_numeric(*type)) fail_reading(label, "is no number");
   const hssize_t points = H5Sget_simple_extent_npoints(*space);
+  if (static_cast<double>(points) * static_cast<double>(H5Tget_size(*type)) >
+      static_cast<double>(H5Aget_storage_size(*attribute)))
+    fail_reading(label, "claims more values than it has");
   std::vector<double> values(points > 0 ? static_cast<std::size_t>(points) : 0);
   if (count && values.size() != count)
     fail_reading(label, "has " + std::to_string(values.size()) + " values, expected " +

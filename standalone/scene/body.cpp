@@ -8,6 +8,7 @@
 #include "laws/rigid_sphere.hpp"
 #include "output/hdf5.hpp"
 #include "specimen/bonds.hpp"
+#include "specimen/file_seal.hpp"
 #include "specimen/ordering.hpp"
 #include "specimen/report.hpp"
 #include "specimen/specimen_file.hpp"
@@ -150,6 +151,7 @@ void write_prepared(const std::string& path, const Simulation& simulation) {
   if (model.has(columns::inverse_mass)) write_mechanics(file, simulation);
   if (model.has(columns::inverse_heat_capacity)) write_conduction(file, simulation);
   file.close();
+  seal_file(path);
 }
 
 }  // namespace solidem

@@ -11,6 +11,7 @@ namespace solidem {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr Dimension volume{"a volume", "m^3", "20 mm^3"};
 
 // Elements are numbered with 32 bits.
 constexpr std::int64_t most_elements = std::numeric_limits<std::int32_t>::max();
@@ -93,13 +94,15 @@ bool is_too_large(const std::array<int, 3>& cells) {
   return elements > static_cast<double>(most_elements);
 }
 
-void check_recipe(const Section& section, const SpecimenRecipe& recipe) {
-  if (recipe.shape == "crystal") {
-    if (is_too_large(recipe.cells)) section.refuse("cells", "too many elements", "fewer than 2^29");
-    return;
-  }
-  section.exactly_one_of({"elements", "mean_radius"});
-  if (recipe.shape == "box" || recipe.shape == "plate") return;
+const std::map<std::string, std::vector<Key> (*)(SpecimenRecipe&)>& shape_keys() {
+  static const std::map<std::string, std::vector<Key> (*)(SpecimenRecipe&)> keys = {
+      {"box", box_keys},         {"plate", plate_keys}, {"cylinder", cylinder_keys},
+      {"annulus", annulus_keys}, {"wedge", wedge_keys}, {"crystal", crystal_keys}};
+  return keys;
+}
+
+void check_body(const Section& section, const SpecimenRecipe& recipe) {
+  if (recipe.shape.empty() || recipe.shape == "box" || recipe.shape == "plate") return;
   if (recipe.inner_radius > 0 && !(recipe.inner_radius < recipe.radius))
     section.refuse("inner_radius", "the hole is as wide as the body",
                    "a length below outer_radius");
@@ -109,10 +112,16 @@ void check_recipe(const Section& section, const SpecimenRecipe& recipe) {
                      "true along axis " + recipe.axis + " only");
 }
 
+void check_recipe(const Section& section, const SpecimenRecipe& recipe) {
+  if (recipe.shape == "crystal") {
+    if (is_too_large(recipe.cells)) section.refuse("cells", "too many elements", "fewer than 2^29");
+    return;
+  }
+  section.exactly_one_of({"elements", "mean_radius"});
+  check_body(section, recipe);
+}
+
 void read_recipe(const Section& section, SpecimenRecipe& recipe) {
-  const std::map<std::string, std::vector<Key> (*)(SpecimenRecipe&)> shape_keys = {
-      {"box", box_keys},         {"plate", plate_keys}, {"cylinder", cylinder_keys},
-      {"annulus", annulus_keys}, {"wedge", wedge_keys}, {"crystal", crystal_keys}};
   const Rule shape = choice<std::string>(recipe.shape, {{"box", "box"},
                                                         {"plate", "plate"},
                                                         {"cylinder", "cylinder"},
@@ -125,10 +134,10 @@ void read_recipe(const Section& section, SpecimenRecipe& recipe) {
   if (recipe.shape.empty()) {
     // Misspelt keys come first, "shape" perhaps among them; then the missing shape.
     keys = {may_have("file", text(recipe.file)), must_have("shape", shape, "or file")};
-    for (const auto& entry : shape_keys)
+    for (const auto& entry : shape_keys())
       for (const Key& key : entry.second(recipe)) append_once(keys, may_have(key.name, key.rule));
   } else {
-    for (const Key& key : shape_keys.at(recipe.shape)(recipe)) append_once(keys, key);
+    for (const Key& key : shape_keys().at(recipe.shape)(recipe)) append_once(keys, key);
   }
   if (recipe.shape != "crystal")
     for (const Key& key : packing_keys(recipe)) append_once(keys, key);
@@ -137,12 +146,33 @@ void read_recipe(const Section& section, SpecimenRecipe& recipe) {
   check_recipe(section, recipe);
 }
 
+/// A file, and the body of its spheres where it does not tell that itself.
+void read_file(const Section& section, SpecimenRecipe& recipe, const std::string& scene_file) {
+  const Rule shape = choice<std::string>(recipe.shape, {{"box", "box"},
+                                                        {"plate", "plate"},
+                                                        {"cylinder", "cylinder"},
+                                                        {"annulus", "annulus"},
+                                                        {"wedge", "wedge"}});
+  section.read_one(may_have("shape", shape));
+  section.at_most_one_of({"volume", "shape"});
+  std::vector<Key> keys = {must_have("file", path(recipe.file, scene_file)),
+                           may_have("volume", quantity(recipe.volume, volume, positive)),
+                           may_have("shape", shape)};
+  if (!recipe.shape.empty()) {
+    for (const Key& key : shape_keys().at(recipe.shape)(recipe)) append_once(keys, key);
+    for (const Key& key : frame_keys(recipe)) append_once(keys, key);
+  }
+  section.read(keys, recipe.shape.empty() ? "a specimen from a file"
+                                          : "a specimen from a file, of shape " + recipe.shape);
+  check_body(section, recipe);
+}
+
 }  // namespace
 
 Rule specimen_section(SpecimenRecipe& recipe, const std::string& scene_file) {
   return table([&recipe, scene_file](const Section& section) {
     if (section.has("file"))
-      section.read({must_have("file", path(recipe.file, scene_file))}, "a specimen from a file");
+      read_file(section, recipe, scene_file);
     else
       read_recipe(section, recipe);
   });

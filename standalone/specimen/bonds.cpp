@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
 #include "model/error.hpp"
 #include "neighbours/linked_cells.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -42,7 +42,7 @@ std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance, BondIma
   if (images == BondImages::one) insist_on_single_images(specimen, tolerance);
   const Domain& domain = specimen.domain;
   return neighbour_pairs({domain.lower, domain.upper, domain.periodic}, specimen.position,
-                         specimen.radius, tolerance);
+                         specimen.radius, tolerance, specimen.contact_margin);
 }
 
 void make_bonds(Specimen& specimen, double tolerance, BondImages images) {
@@ -50,15 +50,15 @@ void make_bonds(Specimen& specimen, double tolerance, BondImages images) {
   specimen.bond_tolerance = tolerance;
 }
 
-bool is_fibre(double radius_i, double radius_j, double distance, double tolerance) {
-  const double margin = 1.0 + 1e-12;  // that of neighbour_pairs
-  return distance > (1.0 + tolerance) * (radius_i + radius_j) * margin;
+bool is_fibre(double radius_i, double radius_j, double distance, double tolerance, double margin) {
+  return distance > (1.0 + tolerance) * (radius_i + radius_j) * (1.0 + margin);
 }
 
 bool is_fibre(const Specimen& specimen, Pair pair) {
   return is_fibre(specimen.radius[static_cast<std::size_t>(pair.i)],
                   specimen.radius[static_cast<std::size_t>(pair.j)],
-                  norm(rest_chord(specimen, pair)), specimen.bond_tolerance);
+                  norm(rest_chord(specimen, pair)), specimen.bond_tolerance,
+                  specimen.contact_margin);
 }
 
 std::vector<Pair> find_fibres(const Specimen& specimen, const FibreRule& rule) {
@@ -106,26 +106,15 @@ std::vector<std::int32_t> count_bonds(const Specimen& specimen) {
 }
 
 std::vector<std::int32_t> largest_component(const Specimen& specimen) {
-  // Union-find; the root of a component is its lowest element.
-  std::vector<std::int32_t> parent(specimen.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const Pair& pair : specimen.bonds) {
-    const std::int32_t a = root(pair.i), b = root(pair.j);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
+  const std::vector<std::int32_t> lowest = lowest_of_piece(specimen.size(), specimen.bonds);
   std::vector<std::int32_t> members(specimen.size(), 0);
-  for (std::size_t i = 0; i < members.size(); ++i) ++members[root(static_cast<std::int32_t>(i))];
+  for (const std::int32_t element : lowest) ++members[static_cast<std::size_t>(element)];
   std::vector<std::int32_t> elements;
   if (members.empty()) return elements;
   const auto largest =
       static_cast<std::int32_t>(std::max_element(members.begin(), members.end()) - members.begin());
   for (std::size_t i = 0; i < members.size(); ++i)
-    if (root(static_cast<std::int32_t>(i)) == largest)
-      elements.push_back(static_cast<std::int32_t>(i));
+    if (lowest[i] == largest) elements.push_back(static_cast<std::int32_t>(i));
   return elements;
 }
 

@@ -14,8 +14,8 @@ namespace solidem {
 enum class BondImages { one, several };
 
 /// The pairs with d_ij ≤ (1 + tolerance)(R_i + R_j), the nearest image in periodic directions;
-/// sorted, i < j. Touching spheres of a crystal count at tolerance 0: distances are compared with a
-/// relative margin of 1e-12. Throws InputError when the tolerance is not a number above −1, or when
+/// sorted, i < j. Touching spheres count at tolerance 0: distances are compared with the specimen's
+/// `contact_margin`. Throws InputError when the tolerance is not a number above −1, or when
 /// a periodic cell is so small that two images of one element would both be neighbours of another
 /// and only one may be.
 std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance,
@@ -32,8 +32,8 @@ struct FibreRule {
 };
 
 /// Whether two elements at a distance are farther apart than the tolerance of the bonds allows: if
-/// they are bonded, then by a fibre. Radii and distance in m.
-bool is_fibre(double radius_i, double radius_j, double distance, double tolerance);
+/// they are bonded, then by a fibre. Radii and distance in m; `margin` as in the specimen.
+bool is_fibre(double radius_i, double radius_j, double distance, double tolerance, double margin);
 bool is_fibre(const Specimen& specimen, Pair pair);
 
 /// The pairs that fibres join: beyond the bonds' tolerance, within reach, aligned. Sorted, i < j.

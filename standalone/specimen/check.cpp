@@ -28,7 +28,8 @@ void check_domain(const Domain& domain, const std::string& origin) {
       throw InputError(fmt::format("{}: domain from {} to {} m along {}: expected lower < upper",
                                    origin, low, high, "xyz"[axis]));
   }
-  if (!(domain.volume > 0) || !std::isfinite(domain.volume))
+  const bool is_unknown = domain.volume == 0 && domain.shape == "imported";
+  if (!is_unknown && (!(domain.volume > 0) || !std::isfinite(domain.volume)))
     throw InputError(fmt::format("{}: domain volume {} m3: expected a number above zero", origin,
                                  domain.volume));
   const bool wedge = domain.shape == "wedge", hollow = wedge || domain.shape == "annulus";
@@ -44,6 +45,36 @@ void check_domain(const Domain& domain, const std::string& origin) {
   if (wedge && !(domain.angle > 0 && domain.angle < pi))
     throw InputError(
         fmt::format("{}: wedge with angle {} rad: expected 0 < angle < pi", origin, domain.angle));
+}
+
+std::string place_of(const Specimen& specimen, std::size_t element) {
+  const Vector& p = specimen.position[element];
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", p.x, p.y, p.z);
+}
+
+// Centres may stand outside of the body, in a periodic one by a period, but not where a slip of
+// the pen or of the disk has put them.
+void check_places(const Specimen& specimen, const std::string& origin) {
+  const Domain& domain = specimen.domain;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = component(domain.lower, axis), high = component(domain.upper, axis);
+    for (std::size_t i = 0; i < specimen.size(); ++i) {
+      const double p = component(specimen.position[i], axis);
+      if (p < low - (high - low) || p > high + (high - low))
+        throw InputError(fmt::format(
+            "{}: element {} stands at {}, far outside of its body, which goes from {:.6g} to "
+            "{:.6g} m along {}",
+            origin, i, place_of(specimen, i), low, high, "xyz"[axis]));
+    }
+  }
+  // Nearer than a thousandth of the sum of their radii.
+  const std::vector<Pair> pairs = neighbour_pairs({domain.lower, domain.upper, domain.periodic},
+                                                  specimen.position, specimen.radius, -0.999, 0);
+  if (!pairs.empty())
+    throw InputError(fmt::format(
+        "{}: elements {} and {} are in one place, {}{}: expected each element once", origin,
+        pairs[0].i, pairs[0].j, place_of(specimen, static_cast<std::size_t>(pairs[0].i)),
+        pairs.size() > 1 ? fmt::format(", and so are {} pairs more", pairs.size() - 1) : ""));
 }
 
 }  // namespace
@@ -65,6 +96,10 @@ void check_specimen(const Specimen& specimen, const std::string& origin) {
                                    origin, i, radius));
   }
   check_domain(specimen.domain, origin);
+  if (!(specimen.contact_margin >= 0 && specimen.contact_margin < 0.1))
+    throw InputError(fmt::format("{}: contact margin {}: expected a number from 0 to 0.1", origin,
+                                 specimen.contact_margin));
+  check_places(specimen, origin);
   for (std::size_t b = 0; b < specimen.bonds.size(); ++b) {
     const Pair& pair = specimen.bonds[b];
     if (pair.i < 0 || pair.j <= pair.i || static_cast<std::size_t>(pair.j) >= n)

@@ -6,12 +6,26 @@
 #include "specimen/ordering.hpp"
 #include "specimen/packing.hpp"
 #include "specimen/report.hpp"
+#include "specimen/shape.hpp"
 #include "specimen/specimen_file.hpp"
 
 namespace solidem {
 
+namespace {
+
+// What a scene says of the body of a file.
+std::optional<Domain> body_of(const SpecimenRecipe& recipe) {
+  if (!recipe.shape.empty()) return shape_of(recipe);
+  if (!(recipe.volume > 0)) return {};
+  Domain body;
+  body.volume = recipe.volume;
+  return body;
+}
+
+}  // namespace
+
 Specimen make_specimen(const SpecimenRecipe& recipe, const ReportProgress& progress) {
-  if (!recipe.file.empty()) return read_specimen(recipe.file);
+  if (!recipe.file.empty()) return read_specimen(recipe.file, body_of(recipe));
   const bool crystal = recipe.shape == "crystal";
   Specimen specimen = crystal ? make_crystal(recipe) : make_packing(recipe, progress);
   make_bonds(specimen, 0.0);

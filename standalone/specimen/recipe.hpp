@@ -15,7 +15,8 @@ namespace solidem {
 
 /// What a user asks for; lengths in m. Members that the shape does not name are ignored.
 struct SpecimenRecipe {
-  std::string file;   ///< a specimen file to read; if given, nothing else counts
+  std::string file;   ///< a specimen file to read; then nothing counts but its body's shape, or
+  double volume = 0;  ///< its volume, where the file tells neither, m³
   std::string shape;  ///< box, plate, cylinder, annulus, wedge or crystal
 
   Vector size{};      ///< box: extents along x, y, z; plate: length (x), width (y), thickness (z)

@@ -38,7 +38,8 @@ void measure_specimen(Specimen& specimen) {
   const std::vector<std::int32_t> degree = count_bonds(specimen);
   const std::vector<Wall> walls = walls_of(specimen.domain);
   double bulk_elements = 0, bulk_bonds = 0;
-  for (std::size_t i = 0; i < specimen.size(); ++i)
+  const bool walls_are_known = specimen.domain.shape != "imported";
+  for (std::size_t i = 0; i < specimen.size() && walls_are_known; ++i)
     if (distance_to_walls(walls, specimen.position[i]) > 3.0 * mean) {
       bulk_elements += 1;
       bulk_bonds += degree[i];
@@ -95,7 +96,9 @@ std::string format_report(const Specimen& specimen) {
   line("shape", domain.shape + (periodic.empty() ? "" : " (periodic along " + periodic + ")"));
   line("extent", fmt::format("{:.6g} x {:.6g} x {:.6g} m", extent.x, extent.y, extent.z));
   line("volume", fmt::format("{:.9g} m3{}", domain.volume,
-                             domain.shape == "imported" ? " (of the box around the spheres)" : ""));
+                             specimen.report.count(estimated_volume) != 0
+                                 ? " (of the cells, cut at the spheres)"
+                                 : ""));
   line("elements", fmt::format("{}", specimen.size()));
   line("mean radius", fmt::format("{:.6g} m", figure("mean_radius")));
   line("solid fraction", fmt::format("{:.4f}", figure("solid_fraction")));
@@ -108,7 +111,11 @@ std::string format_report(const Specimen& specimen) {
        figure("bulk_elements") > 0
            ? fmt::format("{:.3f} ({:.0f} elements over 3 mean radii from walls)",
                          figure("bulk_coordination_number"), figure("bulk_elements"))
-           : "no element is over 3 mean radii from all walls");
+       : domain.shape == "imported" ? "the body's walls are not known"
+                                    : "no element is over 3 mean radii from all walls");
+  if (specimen.contact_margin > 1e-12)
+    line("touch within", fmt::format("{:.2g} of their distance, for the digits of the file",
+                                     specimen.contact_margin));
   line("fabric tensor, diagonal", fmt::format("{:.4f} {:.4f} {:.4f}", figure("fabric_x"),
                                               figure("fabric_y"), figure("fabric_z")));
   line("overlap of bonds",

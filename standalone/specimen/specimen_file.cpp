@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -12,7 +13,13 @@
 #include "model/error.hpp"
 #include "output/hdf5.hpp"
 #include "output/replace_file.hpp"
+#include "specimen/body_lines.hpp"
+#include "specimen/cut_cells.hpp"
+#include "specimen/file_seal.hpp"
+#include "specimen/report.hpp"
+#include "specimen/shape.hpp"
 #include "specimen/text_formats.hpp"
+#include "specimen/walls.hpp"
 
 namespace solidem {
 
@@ -41,6 +48,7 @@ void write_hdf5(const std::string& path, const Specimen& specimen) {
   const Hdf5Group elements = file.make_group("elements");
   elements.write("position", &specimen.position[0].x, {specimen.size(), 3});
   elements.write("radius", specimen.radius);
+  elements.object("position").set_attribute("margin", specimen.contact_margin);
 
   if (!specimen.bonds.empty()) {
     const Hdf5Group bonds = file.make_group("bonds");
@@ -74,8 +82,15 @@ void write_hdf5(const std::string& path, const Specimen& specimen) {
   file.close();
 }
 
-Specimen read_hdf5(const std::string& path) {
-  const Hdf5File file = Hdf5File::open(path);
+// Whether positions came from a program that keeps them in single precision.
+bool is_single_precision(const Specimen& specimen) {
+  const auto is_single = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
+  return std::all_of(specimen.position.begin(), specimen.position.end(), [&](const Vector& p) {
+    return is_single(p.x) && is_single(p.y) && is_single(p.z);
+  });
+}
+
+void check_format(const Hdf5File& file, const std::string& path) {
   if (!file.has_attribute("format") || file.text_attribute("format") != format_name)
     throw InputError(path + ": is an HDF5 file, but no solidem specimen (attribute format is " +
                      (file.has_attribute("format") ? '"' + file.text_attribute("format") + '"'
@@ -85,7 +100,28 @@ Specimen read_hdf5(const std::string& path) {
   if (version != format_version)
     throw InputError(fmt::format("{}: specimen format version {}, this program reads version {}",
                                  path, version, format_version));
+}
 
+Domain read_domain(const Hdf5Group& domain) {
+  Domain body;
+  body.shape = domain.text_attribute("shape");
+  body.lower = vector_attribute(domain, "lower");
+  body.upper = vector_attribute(domain, "upper");
+  const std::vector<double> periodic = domain.numbers_attribute("periodic", 3);
+  for (int axis = 0; axis < 3; ++axis) body.periodic[axis] = periodic[axis] != 0;
+  body.volume = domain.number_attribute("volume");
+  body.axis = static_cast<int>(domain.integer_attribute("axis"));
+  body.radius = domain.number_attribute("radius");
+  if (domain.has_attribute("inner_radius"))
+    body.inner_radius = domain.number_attribute("inner_radius");
+  if (domain.has_attribute("angle")) body.angle = domain.number_attribute("angle");
+  return body;
+}
+
+Specimen read_hdf5(const std::string& path) {
+  const bool has_seal = check_seal(path);
+  const Hdf5File file = Hdf5File::open(path);
+  check_format(file, path);
   Specimen specimen;
   const Hdf5Group elements = file.group("elements");
   const std::vector<double> position = elements.read<double>("position", Hdf5Group::any_rows, 3);
@@ -93,6 +129,11 @@ Specimen read_hdf5(const std::string& path) {
   for (std::size_t i = 0; i < specimen.size(); ++i)
     specimen.position[i] = {position[3 * i], position[3 * i + 1], position[3 * i + 2]};
   specimen.radius = elements.read<double>("radius", specimen.size());
+  const Hdf5Group places = elements.object("position");
+  if (places.has_attribute("margin"))
+    specimen.contact_margin = places.number_attribute("margin");
+  else if (!specimen.radius.empty() && is_single_precision(specimen))
+    specimen.contact_margin = contact_margin(0x1p-24 * largest_coordinate(specimen), specimen);
 
   if (file.has("bonds/pairs")) {
     const Hdf5Group bonds = file.group("bonds");
@@ -105,19 +146,7 @@ Specimen read_hdf5(const std::string& path) {
     if (set.has_attribute("tolerance")) specimen.bond_tolerance = set.number_attribute("tolerance");
   }
 
-  const Hdf5Group domain = file.group("domain");
-  Domain& body = specimen.domain;
-  body.shape = domain.text_attribute("shape");
-  body.lower = vector_attribute(domain, "lower");
-  body.upper = vector_attribute(domain, "upper");
-  const std::vector<double> periodic = domain.numbers_attribute("periodic", 3);
-  for (int axis = 0; axis < 3; ++axis) body.periodic[axis] = periodic[axis] != 0;
-  body.volume = domain.number_attribute("volume");
-  body.axis = static_cast<int>(domain.integer_attribute("axis"));
-  body.radius = domain.number_attribute("radius");
-  if (domain.has_attribute("inner_radius"))
-    body.inner_radius = domain.number_attribute("inner_radius");
-  if (domain.has_attribute("angle")) body.angle = domain.number_attribute("angle");
+  specimen.domain = read_domain(file.group("domain"));
 
   if (file.has("report")) {
     const Hdf5Group report = file.group("report");
@@ -134,7 +163,56 @@ Specimen read_hdf5(const std::string& path) {
     for (const std::string& name : sets.names())
       specimen.sets[name] = sets.read<std::int32_t>(name);
   }
+  check_specimen(specimen, path);
+  // Earlier versions wrote no seal, and took bare spheres for the box around them.
+  Domain& body = specimen.domain;
+  if (!has_seal && body.shape == "imported" && body.volume == volume_of(body)) body.volume = 0;
   return specimen;
+}
+
+// What no file tells of bare spheres.
+void settle_body(Specimen& specimen, const std::optional<Domain>& given, const std::string& path) {
+  Domain& body = specimen.domain;
+  if (body.shape == "imported" && body.periodic[0] && body.periodic[1] && body.periodic[2]) {
+    body.shape = "box";
+    body.volume = volume_of(body);
+  }
+  if (given && body.shape != "imported")
+    throw InputError(
+        fmt::format("{}: the file tells its body (a {}); expected a scene that gives "
+                    "it neither shape nor volume",
+                    path, body.shape));
+  if (given && given->shape == "imported") {
+    body.volume = given->volume;
+  } else if (given) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (body.periodic[axis] && !given->periodic[axis])
+        throw InputError(
+            fmt::format("{}: is periodic along {}: expected [specimen] periodic to "
+                        "say so, too",
+                        path, "xyz"[axis]));
+    body = *given;
+  }
+  if (given) specimen.report.erase(estimated_volume);
+  if (body.shape != "imported" && !(body.volume > 0)) body.volume = volume_of(body);
+}
+
+void check_inside(const Specimen& specimen, const std::string& path) {
+  for (const Wall& wall : walls_of(specimen.domain))
+    for (std::size_t i = 0; i < specimen.size(); ++i) {
+      const double distance = wall.distance(specimen.position[i]);
+      if (distance > 0) continue;
+      const Vector& p = specimen.position[i];
+      throw InputError(fmt::format(
+          "{}: element {} at ({:.6g}, {:.6g}, {:.6g}) m lies {:.3g} m beyond the wall {} of the {} "
+          "that the scene says it is: expected measures and an origin with all centres inside",
+          path, i, p.x, p.y, p.z, -distance, wall.name, specimen.domain.shape));
+    }
+}
+
+void estimate_volume(Specimen& specimen) {
+  specimen.domain.volume = cut_cell_volume(specimen);
+  specimen.report[estimated_volume] = specimen.domain.volume;
 }
 
 std::string read_text(const std::string& path) {
@@ -147,7 +225,10 @@ std::string read_text(const std::string& path) {
   // Reading nothing at all from an empty file fails the output stream, not the input.
   if (!file.is_open() || file.bad())
     throw InputError(path + ": cannot be read (" + std::strerror(errno) + ")");
-  return text.str();
+  // A byte order mark, which some editors put before the text.
+  std::string content = text.str();
+  if (content.compare(0, 3, "\xEF\xBB\xBF") == 0) content.erase(0, 3);
+  return content;
 }
 
 std::string extension_of(const std::string& path) {
@@ -162,7 +243,7 @@ std::string extension_of(const std::string& path) {
 
 }  // namespace
 
-Specimen read_specimen(const std::string& path) {
+Specimen read_specimen(const std::string& path, const std::optional<Domain>& body) {
   const std::string extension = extension_of(path);
   Specimen specimen;
   if (extension == ".h5")
@@ -175,7 +256,10 @@ Specimen read_specimen(const std::string& path) {
     specimen = specimen_of_csv_text(read_text(path), path);
   else
     fail_extension(path);
-  check_specimen(specimen, path);
+  settle_body(specimen, body, path);
+  if (extension != ".h5") check_specimen(specimen, path);
+  if (body) check_inside(specimen, path);
+  if (specimen.domain.volume == 0) estimate_volume(specimen);
   return specimen;
 }
 
@@ -183,7 +267,10 @@ void write_specimen(const std::string& path, const Specimen& specimen) {
   const std::string extension = extension_of(path);
   check_specimen(specimen, "specimen for " + path);
   if (extension == ".h5")
-    replace_file(path, [&](const std::string& temporary) { write_hdf5(temporary, specimen); });
+    replace_file(path, [&](const std::string& temporary) {
+      write_hdf5(temporary, specimen);
+      seal_file(temporary);
+    });
   else if (extension == ".data")
     replace_text_file(path, liggghts_text(specimen));
   else if (extension == ".txt")

@@ -2,24 +2,27 @@
 //
 // Specimens on disk. The format follows from the extension:
 //   .h5    solidem specimen (HDF5), the only one that keeps everything
-//   .data  LIGGGHTS data file, atom style `hybrid granular molecular`, bonds included
+//   .data  data file of LIGGGHTS and LAMMPS, bonds included; written in the atom style `hybrid
+//          granular molecular`, read in each that has diameters
 //   .txt   YADE text, "x y z r" a line (yade.ymport.text reads it)
 //   .csv   header "x,y,z,radius"
-// Numbers are written with 17 digits, so a round trip keeps every bit of positions and radii. The
-// text formats carry no domain: on import it is a box around the spheres, shape "imported", and its
-// volume is the box's, to be corrected in `Specimen::domain` by who knows better.
+// Numbers are written with 17 digits, so a round trip keeps every bit of positions and radii. Text
+// formats carry the body in comments (body_lines.hpp). Where it is not told the body is "imported":
+// known by its spheres alone, its volume that of their cut cells (cut_cells.hpp), without walls.
 #ifndef SOLIDEM_SPECIMEN_SPECIMEN_FILE_HPP
 #define SOLIDEM_SPECIMEN_SPECIMEN_FILE_HPP
 
+#include <optional>
 #include <string>
 
 #include "model/specimen.hpp"
 
 namespace solidem {
 
-/// Reads a specimen. Throws InputError that names the file, the place (line, element, bond), the
-/// value found and what would be right.
-Specimen read_specimen(const std::string& path);
+/// Reads a specimen. `body` is that of spheres whose file does not tell it; its volume may be 0 and
+/// its shape "imported": not known. Throws InputError that names the file, the place (line,
+/// element, bond), the value found and what would be right.
+Specimen read_specimen(const std::string& path, const std::optional<Domain>& body = {});
 
 /// Writes a specimen under a temporary name beside `path`, then renames it: a failed write never
 /// destroys an existing file. Throws InputError when the extension is unknown and RunError when the
@@ -27,8 +30,9 @@ Specimen read_specimen(const std::string& path);
 void write_specimen(const std::string& path, const Specimen& specimen);
 
 /// Throws InputError at the first thing that is wrong with a specimen: no element, a position or
-/// radius that is no number, a radius ≤ 0, a bond out of range, unsorted or twice, a set out of
-/// range, a periodic direction without extent, a volume ≤ 0. `origin` opens the text ("bar.h5").
+/// radius that is no number, a radius ≤ 0, an element far outside its body, two elements in one
+/// place, a bond out of range, unsorted or twice, a set out of range, a periodic direction without
+/// extent, a volume ≤ 0. `origin` opens the text ("bar.h5").
 void check_specimen(const Specimen& specimen, const std::string& origin);
 
 }  // namespace solidem

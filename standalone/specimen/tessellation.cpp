@@ -288,15 +288,16 @@ std::string place_of(const Specimen& specimen, std::size_t element) {
 
 void check_body(const Specimen& specimen, const Body& body) {
   const Domain& domain = specimen.domain;
+  if (domain.shape == "imported")
+    throw InputError(
+        "cells: the specimen's file does not say what shape its body has, without which there are "
+        "no cells; give [specimen] shape and its measures");
   const double expected = volume_of(domain);
   if (!(std::abs(domain.volume - expected) <= 1e-9 * expected))
     throw InputError(fmt::format(
-        "cells: the volume of the body is {:.9g} m3, but {} {:.9g} m3: without the true outline "
-        "there are no cells; expected a volume and a shape that agree",
-        domain.volume,
-        domain.shape == "imported" ? "the box around the imported spheres has"
-                                   : "a " + domain.shape + " of its dimensions has",
-        expected));
+        "cells: the volume of the body is {:.9g} m3, but a {} of its dimensions has {:.9g} m3: "
+        "expected a volume and a shape that agree",
+        domain.volume, domain.shape, expected));
   for (std::size_t i = 0; i < body.position.size(); ++i)
     for (const Wall& wall : body.walls)
       if (!(wall.distance(body.position[i]) > 1e-9))

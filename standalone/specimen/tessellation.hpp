@@ -36,11 +36,11 @@ struct Tessellation {
 
 /// Makes the cells. They fit together without gap: cells and walls are closed, Σ area × normal = 0,
 /// so that linear fields conduct exactly. Curved walls are flat facets that all cells share, under
-/// .002 R_m off and placed so that volume and section of the body are exact. A body imported as
-/// bare spheres is the box around them. The same on any number of threads.
-/// Throws InputError when a centre lies outside the body, when larger spheres around an element
-/// leave no cell for it, or when the domain's volume is not that of its shape; RunError when the
-/// cells do not fill the body.
+/// .002 R_m off and placed so that volume and section of the body are exact. The same on any number
+/// of threads.
+/// Throws InputError when the shape of the body is not known, when a centre lies outside the body,
+/// when larger spheres around an element leave no cell for it, or when the domain's volume is not
+/// that of its shape; RunError when the cells do not fill the body.
 Tessellation tessellate(const Specimen& specimen);
 
 /// For laws without cells: the elements that touch each wall, within 5 % of their radius, share its

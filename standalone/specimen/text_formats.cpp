@@ -4,114 +4,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
-#include <string_view>
+#include <array>
+#include <optional>
 
 #include "model/error.hpp"
+#include "specimen/body_lines.hpp"
 #include "specimen/bonds.hpp"
+#include "specimen/text_lines.hpp"
 
 namespace solidem {
-
-namespace {
-
-// Walks through a text line by line; every message carries file and line.
-class Lines {
- public:
-  Lines(std::string_view text, const std::string& path) : rest_(text), path_(path) {}
-
-  // The next line that holds something, without comment (# to the end), as words; false at the end.
-  bool next() {
-    while (!rest_.empty()) {
-      const std::size_t end = rest_.find('\n');
-      std::string_view line = rest_.substr(0, end);
-      rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
-      ++number_;
-      split(line.substr(0, line.find('#')));
-      if (!words_.empty()) return true;
-    }
-    return false;
-  }
-
-  const std::vector<std::string_view>& words() const { return words_; }
-
-  void insist_on_words(std::size_t count, const char* meaning) const {
-    if (words_.size() != count)
-      fail(fmt::format("{} values, expected {} ({})", words_.size(), count, meaning));
-  }
-
-  double number(std::size_t word) const {
-    double value = 0;
-    const std::string_view text = words_[word];
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-      fail(fmt::format("\"{}\" is no number", text));
-    return value;
-  }
-
-  std::int64_t integer(std::size_t word) const {
-    std::int64_t value = 0;
-    const std::string_view text = words_[word];
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-      fail(fmt::format("\"{}\" is no whole number", text));
-    return value;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}", path_, number_, what));
-  }
-
-  double radius(std::size_t word, double scale = 1.0) const {
-    const double value = scale * number(word);
-    if (!(value > 0) || value > std::numeric_limits<double>::max())
-      fail(fmt::format("radius {} m: expected a number above zero", value));
-    return value;
-  }
-
- private:
-  void split(std::string_view line) {
-    static constexpr std::string_view separators = " \t\r,";
-    words_.clear();
-    for (std::size_t begin = line.find_first_not_of(separators); begin != std::string_view::npos;) {
-      const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
-      words_.push_back(line.substr(begin, end - begin));
-      begin = line.find_first_not_of(separators, end);
-    }
-  }
-
-  std::string_view rest_;
-  const std::string& path_;
-  std::vector<std::string_view> words_;
-  int number_ = 0;
-};
-
-// The box around all spheres.
-void put_in_box(Specimen& specimen) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Vector lower{far, far, far}, upper{-far, -far, -far};
-  for (std::size_t i = 0; i < specimen.size(); ++i) {
-    const Vector& p = specimen.position[i];
-    const double r = specimen.radius[i];
-    lower = {std::min(lower.x, p.x - r), std::min(lower.y, p.y - r), std::min(lower.z, p.z - r)};
-    upper = {std::max(upper.x, p.x + r), std::max(upper.y, p.y + r), std::max(upper.z, p.z + r)};
-  }
-  const Vector extent = upper - lower;
-  specimen.domain.shape = "imported";
-  specimen.domain.lower = lower;
-  specimen.domain.upper = upper;
-  specimen.domain.volume = extent.x * extent.y * extent.z;
-}
-
-}  // namespace
 
 std::string liggghts_text(const Specimen& specimen) {
   const Domain& domain = specimen.domain;
   const std::vector<std::int32_t> degree = count_bonds(specimen);
+  const auto side = [&](std::size_t axis) { return domain.periodic[axis] ? 'p' : 'f'; };
   std::string text = fmt::format(
-      "LIGGGHTS data of a solidem specimen, atom_style hybrid granular molecular: id type x y z "
-      "diameter density molecule\n\n{} atoms\n",
-      specimen.size());
+      "LIGGGHTS data of a solidem specimen, units = si, boundary {} {} {}, atom_style hybrid "
+      "granular molecular: id type x y z diameter density molecule\n\n",
+      side(0), side(1), side(2));
+  text += body_lines(specimen);
+  text += fmt::format("{} atoms\n", specimen.size());
   if (!specimen.bonds.empty()) text += fmt::format("{} bonds\n", specimen.bonds.size());
   text += "1 atom types\n";
   if (!specimen.bonds.empty())
@@ -134,115 +46,142 @@ std::string liggghts_text(const Specimen& specimen) {
   return text;
 }
 
-std::string yade_text(const Specimen& specimen) {
-  std::string text = "#format x_y_z_r\n";
+namespace {
+
+void add_spheres(const Specimen& specimen, char separator, std::string& text) {
   for (std::size_t i = 0; i < specimen.size(); ++i) {
     const Vector& p = specimen.position[i];
-    fmt::format_to(std::back_inserter(text), "{:.17g}\t{:.17g}\t{:.17g}\t{:.17g}\n", p.x, p.y, p.z,
-                   specimen.radius[i]);
+    fmt::format_to(std::back_inserter(text), "{:.17g}{}{:.17g}{}{:.17g}{}{:.17g}\n", p.x, separator,
+                   p.y, separator, p.z, separator, specimen.radius[i]);
   }
+}
+
+}  // namespace
+
+std::string yade_text(const Specimen& specimen) {
+  const Domain& domain = specimen.domain;
+  std::string text = "#format x_y_z_r\n";
+  if (domain.periodic[0] && domain.periodic[1] && domain.periodic[2]) {
+    const Vector period = domain.upper - domain.lower;
+    text += fmt::format("##PERIODIC:: {:.17g} {:.17g} {:.17g}\n", period.x, period.y, period.z);
+  }
+  text += body_lines(specimen);
+  add_spheres(specimen, '\t', text);
   return text;
 }
 
 std::string csv_text(const Specimen& specimen) {
   std::string text = "x,y,z,radius\n";
-  for (std::size_t i = 0; i < specimen.size(); ++i) {
-    const Vector& p = specimen.position[i];
-    fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g},{:.17g}\n", p.x, p.y, p.z,
-                   specimen.radius[i]);
-  }
-  return text;
+  add_spheres(specimen, ',', text);
+  return text + body_lines(specimen);  // at the end: the first line is the header, for all readers
 }
 
 namespace {
 
+// The columns that hold a sphere, in a line of `count` (0: or more).
+struct SphereColumns {
+  std::array<std::size_t, 4> place{0, 1, 2, 3};  // of x, y, z, radius
+  std::size_t count = 4;
+  std::string names = "x y z radius";
+};
+
 // "x y z r" a line, commas or blanks between, until the end.
-Specimen read_spheres(Lines& lines, const std::string& path) {
+template <class Look>
+Specimen read_spheres(TextLines& lines, SphereColumns columns, const std::string& path,
+                      Look look_at_line) {
   Specimen specimen;
+  DecimalPrecision precision;
   while (lines.next()) {
-    lines.insist_on_words(4, "x y z radius");
-    specimen.position.push_back({lines.number(0), lines.number(1), lines.number(2)});
-    specimen.radius.push_back(lines.radius(3));
+    look_at_line(columns);
+    const std::size_t words = lines.words().size();
+    if (columns.count == 0 ? words < 4 : words != columns.count)
+      lines.fail(fmt::format("{} values, expected {} ({})", words,
+                             std::max<std::size_t>(columns.count, 4), columns.names));
+    const auto [x, y, z, r] = columns.place;
+    specimen.position.push_back({lines.number(x), lines.number(y), lines.number(z)});
+    specimen.radius.push_back(lines.radius(r));
+    for (const std::size_t word : columns.place)
+      precision.note(lines.words()[word], lines.number(word));
   }
   if (specimen.size() == 0) throw InputError(path + ": no spheres in it");
   put_in_box(specimen);
+  specimen.contact_margin = contact_margin(precision, specimen);
   return specimen;
+}
+
+// Columns of YADE's "x_y_z_r", "x_y_z_r_clumpId", "id_x_y_z_r_matId", "x_y_z_r_attrs".
+SphereColumns columns_of(const std::string& format, const TextLines& lines) {
+  std::vector<std::string> names(1);
+  for (const char c : format)
+    if (c == '_')
+      names.emplace_back();
+    else
+      names.back() += c;
+  SphereColumns columns;
+  const char* const wanted[] = {"x", "y", "z", "r"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto found = std::find(names.begin(), names.end(), wanted[k]);
+    if (found == names.end())
+      lines.fail(
+          fmt::format("format {}: expected x_y_z_r, x_y_z_r_clumpId, x_y_z_r_matId or "
+                      "x_y_z_r_attrs",
+                      format));
+    columns.place[k] = static_cast<std::size_t>(found - names.begin());
+  }
+  columns.count = names.back() == "attrs" ? 0 : names.size();
+  columns.names = format;
+  return columns;
+}
+
+// "#format" and "##PERIODIC::" of YADE, which look like comments.
+void read_yade_comments(const std::string& text, const std::string& path, SphereColumns& columns,
+                        std::optional<Vector>& period) {
+  TextLines comments(text, path);
+  while (comments.next_comment()) {
+    const auto& words = comments.words();
+    if (words[0] == "format" && words.size() == 2)
+      columns = columns_of(std::string(words[1]), comments);
+    if (words[0] != "#PERIODIC::") continue;
+    if (words.size() != 4) comments.fail("##PERIODIC:: expected the three lengths of the cell");
+    period = {comments.number(1), comments.number(2), comments.number(3)};
+    if (!(period->x > 0 && period->y > 0 && period->z > 0))
+      comments.fail("##PERIODIC:: expected three lengths above zero");
+  }
 }
 
 }  // namespace
 
 Specimen specimen_of_yade_text(const std::string& text, const std::string& path) {
-  Lines lines(text, path);
-  return read_spheres(lines, path);
+  SphereColumns columns;
+  std::optional<Vector> period;
+  read_yade_comments(text, path, columns, period);
+  const bool is_told = columns.names != SphereColumns{}.names;
+  TextLines lines(text, path);
+  bool is_first = true;
+  Specimen specimen = read_spheres(lines, columns, path, [&](SphereColumns& known) {
+    // Packings that YADE saves have the number of the clump as a fifth word and no format.
+    if (is_first && !is_told && lines.words().size() == 5)
+      known.count = 5, known.names = "x y z r clumpId";
+    if (known.count == 5 && known.names == "x y z r clumpId" && lines.words().size() == 5)
+      lines.integer(4);
+    is_first = false;
+  });
+  if (period) {
+    specimen.domain.periodic = {true, true, true};
+    specimen.domain.lower = {};
+    specimen.domain.upper = *period;
+  }
+  read_body_lines(text, path, specimen.domain);
+  return specimen;
 }
 
 Specimen specimen_of_csv_text(const std::string& text, const std::string& path) {
-  Lines lines(text, path);
+  TextLines lines(text, path);
   const std::vector<std::string_view> header{"x", "y", "z", "radius"};
   if (!lines.next()) throw InputError(path + ": the file is empty, expected a header x,y,z,radius");
   if (lines.words() != header) lines.fail("expected the header x,y,z,radius");
-  return read_spheres(lines, path);
-}
-
-Specimen specimen_of_liggghts_text(const std::string& text, const std::string& path) {
-  // The first line is a title, whatever it holds.
-  const std::size_t title = text.find('\n');
-  if (title == std::string::npos) throw InputError(path + ": no LIGGGHTS data file");
-  const std::string body = "#" + text.substr(0, title) + text.substr(title);
-  Lines lines(body, path);
-
-  std::int64_t atoms = -1, bonds = 0;
-  Specimen specimen;
-  std::vector<bool> seen;
-  bool has_atoms = false;
-  while (lines.next()) {
-    const auto& words = lines.words();
-    if (words.size() == 2 && words[1] == "atoms") {
-      atoms = lines.integer(0);
-      if (atoms < 1 || atoms > std::numeric_limits<std::int32_t>::max())
-        lines.fail(fmt::format("{} atoms: expected 1 to 2147483647", atoms));
-    } else if (words.size() == 2 && words[1] == "bonds") {
-      bonds = lines.integer(0);
-    } else if (words[0] == "Atoms") {
-      if (atoms < 0) lines.fail("section Atoms before the line \"N atoms\"");
-      has_atoms = true;
-      for (std::int64_t k = 0; k < atoms; ++k) {
-        if (!lines.next())
-          throw InputError(fmt::format("{}: the file ends after {} of {} atoms", path, k, atoms));
-        // The arrays grow with the lines, so that a wrong count cannot ask for all memory.
-        lines.insist_on_words(8, "id type x y z diameter density molecule");
-        const std::int64_t id = lines.integer(0);
-        if (id < 1 || id > atoms)
-          lines.fail(fmt::format("atom id {}: expected 1 to {}", id, atoms));
-        const auto i = static_cast<std::size_t>(id - 1);
-        if (seen.size() <= i) {
-          seen.resize(i + 1, false);
-          specimen.position.resize(i + 1);
-          specimen.radius.resize(i + 1);
-        }
-        if (seen[i]) lines.fail(fmt::format("atom id {} is there twice", id));
-        seen[i] = true;
-        specimen.position[i] = {lines.number(2), lines.number(3), lines.number(4)};
-        specimen.radius[i] = lines.radius(5, 0.5);
-      }
-    } else if (words[0] == "Bonds") {
-      for (std::int64_t k = 0; k < bonds; ++k) {
-        if (!lines.next())
-          throw InputError(fmt::format("{}: the file ends after {} of {} bonds", path, k, bonds));
-        lines.insist_on_words(4, "id type atom atom");
-        const std::int64_t a = lines.integer(2) - 1, b = lines.integer(3) - 1;
-        if (a < 0 || b < 0 || a >= atoms || b >= atoms || a == b)
-          lines.fail(fmt::format("bond of atoms {} and {}: expected two atoms from 1 to {}", a + 1,
-                                 b + 1, atoms));
-        specimen.bonds.push_back(
-            {static_cast<std::int32_t>(std::min(a, b)), static_cast<std::int32_t>(std::max(a, b))});
-      }
-    }
-    // Other header lines and sections (velocities) do not concern a specimen.
-  }
-  if (!has_atoms) throw InputError(path + ": no section Atoms in it");
-  std::sort(specimen.bonds.begin(), specimen.bonds.end());
-  put_in_box(specimen);
+  Specimen specimen = read_spheres(lines, {}, path, [](SphereColumns&) {});
+  read_body_lines(text, path, specimen.domain);
   return specimen;
 }
 

@@ -59,6 +59,7 @@ double Wall::conduction_length(const Vector& from) const {
 
 std::vector<Wall> walls_of(const Domain& domain) {
   std::vector<Wall> walls;
+  if (domain.shape == "imported") return walls;
   add_flat_ends(domain, walls);
   if (domain.radius > 0) add_round_walls(domain, walls);
   return walls;

@@ -30,7 +30,7 @@ struct Wall {
 /// All walls, in this order: x_low, x_high, y_low, y_high, z_low, z_high where the body is flat and
 /// not periodic (every shape's bounding box but the directions across a round body's axis); then
 /// `side` of a cylinder, `inner` and `outer` of an annulus or wedge, and `first` and `last` of a
-/// wedge, the planes at angle 0 and at its angle.
+/// wedge, the planes at angle 0 and at its angle. A body known by its spheres alone has none.
 std::vector<Wall> walls_of(const Domain& domain);
 
 /// The names alone.

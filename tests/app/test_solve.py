@@ -135,6 +135,81 @@ steps = 1
     assert "no [beams]" in done.stderr
 
 
+def test_what_a_run_does_and_a_body_at_rest_does_not_is_noted(solidem):
+    warm = CANTILEVER.replace('density = "2790 kg/m^3"\n', """\
+density = "2790 kg/m^3"
+specific_heat_capacity = "880 J/(kg K)"
+conductivity = "134 W/(m K)"
+[conduction]
+initial_temperature = "298 K"
+[[initial_velocities]]
+region = { all = true }
+velocity = ["1 m/s", "0 m/s", "0 m/s"]
+""")
+    summary, text = solve(solidem, warm)
+    assert "[[initial_velocities]], [conduction]: left out" in summary["notes"][0]
+    assert "left out" in text
+
+
+PIECES = """\
+[specimen]
+file = "pieces.csv"
+[material]
+density = "2700 kg/m^3"
+[beams]
+young_modulus = "70 GPa"
+poisson_ratio = 0.3
+radius_ratio = 0.5
+[[grips]]
+name = "low"
+region = { upper = ["1 mm", "any", "any"] }
+displacement = ["0 m", "0 m", "0 m"]
+[[grips]]
+name = "high"
+region = { lower = ["19 mm", "any", "any"] }
+displacement = ["1 um", "0 m", "0 m"]
+[run]
+steps = 10
+"""
+
+
+def chain_of(*places):
+    return "x,y,z,radius\n" + "".join(f"{x}e-3,0,0,1e-3\n" for x in places)
+
+
+def test_a_grip_that_holds_nothing_of_the_body_is_refused(solidem):
+    (solidem.folder / "pieces.csv").write_text(chain_of(0, 2, 4, 6, 8, 14, 16, 18, 20))
+    done = solidem("solve", solidem.scene("scene.toml", PIECES), "-o", "out")
+    assert done.returncode == 2
+    assert 'grip "high"' in done.stderr and "5 of 9 elements" in done.stderr
+    assert not (solidem.folder / "out").exists()
+
+
+def test_elements_left_out_are_told(solidem):
+    (solidem.folder / "pieces.csv").write_text(
+        chain_of(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 30, 32, 40))
+    summary, text = solve(solidem, PIECES)
+    assert summary["residual"] < 1e-8
+    assert math.isclose(summary["grips"]["high"]["force"][0], 70e9 * math.pi * 0.5e-3**2 * 1e-6 / 20e-3,
+                        rel_tol=1e-9)
+    notes = "\n".join(summary["notes"])
+    assert "its volume" in notes
+    assert "1 elements have no bond" in notes
+    assert "2 pieces that do not see each other" in notes and "(0.03, 0, 0) m" in notes
+    assert "11 of 14 elements" in notes
+    assert 'grip "high": 3 of its 4 elements' in notes
+    assert "11 of 14 elements" in text
+
+
+def test_a_solution_that_is_round_off_is_no_success(solidem):
+    (solidem.folder / "pieces.csv").write_text(chain_of(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20))
+    moved = PIECES.replace('displacement = ["0 m", "0 m", "0 m"]', 'displacement = ["1 um", "0 m", "0 m"]')
+    done = solidem("solve", solidem.scene("scene.toml", moved), "-o", "out")
+    assert done.returncode == 1
+    assert "round-off" in done.stderr
+    assert not (solidem.folder / "out" / "summary.json").exists()
+
+
 def test_what_would_have_yielded_is_noted(solidem):
     plastic = CANTILEVER + "[plasticity]\nyield_strain = 0.002\n"
     quiet, _ = solve(solidem, plastic)

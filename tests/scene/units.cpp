@@ -37,6 +37,20 @@ TEST(Units, ConvertToSi) {
   EXPECT_DOUBLE_EQ(to_si("180 degree", dimension::angle), 3.14159265358979323846);
 }
 
+TEST(Units, AreReadAsTheyArePrinted) {
+  EXPECT_EQ(to_si("134 m·kg·s⁻³·K⁻¹", dimension::conductivity), 134);
+  EXPECT_EQ(to_si("134 W⋅m⁻¹⋅K⁻¹", dimension::conductivity), 134);
+  EXPECT_EQ(to_si("200 N mm⁻²", dimension::modulus), 200e6);
+  EXPECT_EQ(to_si("3 N×m⁻¹", dimension::stiffness), 3);
+  EXPECT_EQ(to_si("3\u00a0mm", dimension::length), 3e-3);
+  EXPECT_EQ(to_si("−3 mm", dimension::length), -3e-3);
+  EXPECT_DOUBLE_EQ(to_si("25 ºC", dimension::temperature), 298.15);
+  // What a complaint says of a unit can be pasted back.
+  const std::string text = complaint("1 kW", dimension::conductivity);
+  const std::size_t from = text.find('(') + 1;
+  EXPECT_EQ(to_si(text.substr(from, text.find(')') - from), dimension::power), 1000) << text;
+}
+
 TEST(Units, AbsoluteTemperaturesHaveAnOffset) {
   EXPECT_DOUBLE_EQ(to_si("25 °C", dimension::temperature), 298.15);
   EXPECT_DOUBLE_EQ(to_si("25 degC", dimension::temperature), 298.15);

@@ -73,6 +73,13 @@ void expect_input_error(Act act, const std::vector<std::string>& texts) {
   }
 }
 
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
 TEST_F(SpecimenFile, Hdf5KeepsEverything) {
   const Specimen& specimen = small_packing();
   write_specimen(path("a.h5"), specimen);
@@ -131,18 +138,21 @@ TEST_F(SpecimenFile, TextFormatsKeepEveryBitOfTheSpheres) {
     write_specimen(path(name), specimen);
     const Specimen read = read_specimen(path(name));
     expect_same_spheres(read, specimen);
-    EXPECT_EQ(read.domain.shape, "imported");
+    EXPECT_EQ(read.domain.shape, "cylinder");
+    EXPECT_EQ(read.domain.volume, specimen.domain.volume);
   }
   EXPECT_EQ(read_specimen(path("a.data")).bonds, specimen.bonds);
 }
 
-TEST_F(SpecimenFile, ImportedDomainIsTheBoxAroundTheSpheres) {
+TEST_F(SpecimenFile, ImportedDomainIsAroundTheSpheres) {
   write_text("two.txt", "# x y z r\n0 0 0 1\n\n3 0 0 2\n");
   const Specimen specimen = read_specimen(path("two.txt"));
   EXPECT_EQ(specimen.domain.lower.x, -1);
   EXPECT_EQ(specimen.domain.upper.x, 5);
   EXPECT_EQ(specimen.domain.upper.y, 2);
-  EXPECT_EQ(specimen.domain.volume, 6 * 4 * 4);
+  // More than the spheres, less than the box around each.
+  EXPECT_GT(specimen.domain.volume, sphere_volume(specimen));
+  EXPECT_LT(specimen.domain.volume, 8 + 64);
 }
 
 TEST_F(SpecimenFile, UnknownAndMissingFiles) {
@@ -167,6 +177,66 @@ TEST_F(SpecimenFile, CutShortAtAnyPlace) {
     expect_input_error([&] { read_specimen(path("cut.h5")); }, {"cut.h5"});
   }
   expect_input_error([&] { read_specimen(path("cut.h5")); }, {"cut short"});
+}
+
+TEST_F(SpecimenFile, AFlippedBitIsRefusedOrHarmless) {
+  const Specimen& specimen = small_packing();
+  write_specimen(path("whole.h5"), specimen);
+  ASSERT_EQ(read_specimen(path("whole.h5")).bonds, specimen.bonds);
+  std::string bytes = content(path("whole.h5"));
+  int refused = 0, harmless = 0;
+  for (std::size_t k = 0; k < 1500; ++k) {
+    const std::size_t at = k * 7919 % bytes.size();
+    const auto bit = static_cast<char>(1U << (k % 8));
+    bytes[at] = static_cast<char>(bytes[at] ^ bit);
+    std::ofstream(path("flipped.h5"), std::ios::binary) << bytes;
+    bytes[at] = static_cast<char>(bytes[at] ^ bit);
+    try {
+      const Specimen read = read_specimen(path("flipped.h5"));
+      expect_same_spheres(read, specimen);
+      ASSERT_TRUE(read.bonds == specimen.bonds && read.sets == specimen.sets &&
+                  read.report == specimen.report && read.domain.volume == specimen.domain.volume)
+          << "byte " << at;
+      ++harmless;
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1400);
+  EXPECT_LT(harmless, 20);  // in the line of the checksum
+}
+
+TEST_F(SpecimenFile, FilesWithoutSealAreRead) {
+  {
+    const Hdf5File file = Hdf5File::create(path("old.h5"));
+    file.set_attribute("format", "solidem specimen");
+    file.set_attribute("version", 1);
+    const std::vector<float> position{0.1F, 0, 0, 0.3F, 0, 0}, radius{0.1F, 0.1F};
+    file.make_group("elements").write("position", position.data(), {2, 3});
+    file.write("elements/radius", radius);
+    const Hdf5Group domain = file.make_group("domain");
+    domain.set_attribute("shape", "box");
+    domain.set_attribute("lower", std::vector<double>{0, -0.1, -0.1});
+    domain.set_attribute("upper", std::vector<double>{0.4, 0.1, 0.1});
+    domain.set_attribute("periodic", std::vector<std::uint8_t>{0, 0, 0});
+    domain.set_attribute("volume", 0.016);
+    domain.set_attribute("axis", -1);
+    domain.set_attribute("radius", 0.0);
+  }
+  const Specimen read = read_specimen(path("old.h5"));
+  EXPECT_EQ(read.size(), 2u);
+  EXPECT_GT(read.contact_margin, 1e-8);  // single precision
+}
+
+TEST_F(SpecimenFile, WhoChangesAFileOnPurposeTakesItsSealAway) {
+  write_specimen(path("a.h5"), small_packing());
+  Hdf5File::open_for_writing(path("a.h5")).group("domain").set_attribute("volume", 1e-9);
+  EXPECT_EQ(read_specimen(path("a.h5")).domain.volume, 1e-9);
+}
+
+TEST_F(SpecimenFile, AByteOrderMarkIsNoPartOfTheText) {
+  write_text("a.csv", "\xEF\xBB\xBFx,y,z,radius\n0,0,0,1\n2,0,0,1\n");
+  EXPECT_EQ(read_specimen(path("a.csv")).size(), 2u);
 }
 
 TEST_F(SpecimenFile, OtherHdf5Files) {
@@ -276,13 +346,6 @@ TEST_F(SpecimenFile, TextErrorsNameTheLine) {
   expect_input_error([&] { read_specimen(path("j.data")); }, {"j.data:14", "1 and 3"});
   write_text("k.data", "title\n\n3 balls\n");
   expect_input_error([&] { read_specimen(path("k.data")); }, {"no section Atoms"});
-}
-
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 TEST_F(SpecimenFile, FailedWriteKeepsTheOldFile) {

@@ -343,13 +343,6 @@ TEST(Tessellation, SameOnAnyNumberOfThreads) {
   EXPECT_EQ(together.volume, alone.volume);
 }
 
-TEST(Tessellation, ImportedSpheresFillTheBoxAroundThem) {
-  Specimen specimen = crystal("simple_cubic", {2, 2, 2}, false);
-  specimen.domain.shape = "imported";
-  EXPECT_EQ(tessellate(specimen).walls.size(), 6u);
-  EXPECT_EQ(wall_names(specimen.domain).size(), 6u);
-}
-
 TEST(TouchingElements, ShareEveryWall) {
   for (const char* shape : {"box", "cylinder", "annulus", "wedge"}) {
     const Specimen& specimen = packing(shape);
@@ -394,9 +387,10 @@ TEST(Tessellation, NamesTheElementThatCanHaveNoCell) {
   specimen.radius.push_back(specimen.radius[13]);
   expect_refusal(specimen, {"element 13 at", "another in its place"});
   specimen = right;
-  specimen.domain.shape = "imported";
   specimen.domain.volume *= 0.9;
-  expect_refusal(specimen, {"volume of the body", "the box around the imported spheres"});
+  expect_refusal(specimen, {"volume of the body", "a crystal of its dimensions"});
+  specimen.domain.shape = "imported";
+  expect_refusal(specimen, {"what shape its body has", "[specimen] shape"});
 }
 
 }  // namespace

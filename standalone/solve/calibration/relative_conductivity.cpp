@@ -66,6 +66,12 @@ Eigen::VectorXd steady(const ConductionGeometry& geometry, const Specimen& speci
 
 double relative_conductivity(const ConductionGeometry& geometry, const Specimen& specimen) {
   const Domain& domain = specimen.domain;
+  if (domain.shape == "imported")
+    throw InputError(
+        "[conduction] law = \"platonic-calibrated\": the specimen's file does not say what shape "
+        "its "
+        "body has, which the steady bar test needs; give [specimen] shape and its measures, or "
+        "area_factor");
   const int axis = bar_axis(domain);
   if (axis < 0 || domain.periodic[static_cast<std::size_t>(axis)])
     throw InputError(

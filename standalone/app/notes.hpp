@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_APP_NOTES_HPP
+#define SOLIDEM_APP_NOTES_HPP
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+namespace solidem {
+
+/// Prints "note: ..." lines.
+inline void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) fmt::print("note: {}\n", note);
+}
+
+}  // namespace solidem
+
+#endif
