@@ -14,6 +14,7 @@ from compare.case import Case, CaseError, find_cases, read_case
 from compare.codes import all_codes
 from compare.codes.base import Code
 from compare.evaluate import run_cases
+from compare.provenance import provenance
 
 CASES = Path(__file__).parent / "cases"
 
@@ -73,8 +74,9 @@ def main(words: Sequence[str] | None = None, codes: dict[str, Code] | None = Non
     rows, lines = run_cases(chosen, codes, output / "runs",
                             lambda text: print(text, flush=True))
     print("\n" + table.terminal(rows, lines))
-    table.write(rows, lines, output)
-    written = page.write(rows, lines, {n: (c.title, c.about) for n, c in cases.items()}, output)
+    made = provenance(rows, codes)
+    table.write(rows, lines, made, output)
+    written = page.write(rows, lines, {n: (c.title, c.about) for n, c in cases.items()}, made, output)
     print(f"{time.perf_counter() - start:.0f} s; tables and plots: {written}")
     return 0 if rows and all(row.passed for row in rows) else 1
 

@@ -148,8 +148,8 @@ def order_in_amplitude(view: View) -> Measured:
     if len(sizes) < 3 or not (errors > 0).all():
         raise CodeFailure(f"an order needs three amplitudes with an error above 0: {errors}")
     order = float(np.polyfit(np.log(sizes), np.log(errors), 1)[0])
-    plot = Plot(f"{view.check.code}: error against the stiffness matrix", "amplitude",
-                "relative error", [Series(view.option("mode"), sizes, errors, "o-")],
+    plot = Plot(f"{view.check.code}: error against the stiffness matrix", "amplitude / length, or rad",
+                "error, relative", [Series(view.option("mode"), sizes, errors, "o-")],
                 log_x=True, log_y=True)
     return Measured(max(0.0, 1 - order),
                     f"order {order:.3f}, errors {errors.min():.2g} to {errors.max():.2g}", plot)

@@ -96,7 +96,7 @@ def pair_force(view: View) -> Measured:
         below.append(Series(law, path.distance, path.error + 1e-17))
     title = view.check.options.get("title", "two elements")
     plot = Plot(f"{title}: {view.check.code}", "distance / that of equilibrium",
-                "force / largest attraction", series, below=below, below_label="difference",
+                "force / largest attraction", series, below=below, below_label="difference, relative",
                 below_log=True)
     errors = {law: float(path.error.max()) for law, path in paths.items()}
     return Measured(max(errors.values()),

@@ -22,6 +22,15 @@ def _needed(case: Case, codes: dict[str, Code]) -> list[tuple[str, str]]:
             for code in (check.code, check.reference) if code in codes and code in v.codes]
 
 
+def _law(runs: CaseRuns, check: Check, variant: Variant) -> str:
+    """Whether two codes compute a law by the same source."""
+    if check.reference not in runs.codes:
+        return "independent"
+    parameters = runs.job(variant.name).parameters if runs.case.scene else None
+    both = all(runs.code(name).shares_laws(parameters) for name in (check.code, check.reference))
+    return "shared" if both else "independent"
+
+
 def _row(runs: CaseRuns, check: Check, group: list[Variant]) -> Row:
     variant = group[0]
     factor = variant.values[check.tolerance_times] if check.tolerance_times else 1.0
@@ -33,6 +42,8 @@ def _row(runs: CaseRuns, check: Check, group: list[Variant]) -> Row:
             raise CodeFailure(f"no measure is called {check.measure!r}; known: "
                               f"{', '.join(sorted(MEASURES))}")
         view = View(runs, check, variant, tuple(group))
+        if check.label == "C":
+            row.law = _law(runs, check, variant)
         found = MEASURES[check.measure](view)
         row.error, row.note, row.plot = float(found.error), found.note, found.plot
         if row.plot:

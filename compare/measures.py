@@ -14,6 +14,7 @@ from compare.references import finite_difference_step
 from compare.result import CodeFailure, Floats, Result
 from compare.row import Measured, Plot, Series
 from compare.runs import View
+from compare.units import with_unit
 
 
 MEASURES: dict[str, Callable[[View], Measured]] = {}
@@ -83,7 +84,7 @@ def history_difference(view: View) -> Measured:
     if not scale > 0:
         raise CodeFailure(f"{name} is zero throughout in {other.code}")
     across = view.check.options.get("against", "step")
-    plot = Plot(f"{name}, {view.variant.name}", across, name,
+    plot = Plot(f"{name}, {view.variant.name}", with_unit(across), with_unit(name),
                 [Series(other.code, other.history[across], other.history[name], wide=True),
                  Series(tested.code, tested.history[across], tested.history[name], "--")])
     return Measured(float(np.abs(a - b).max()) / scale, f"scale {scale:.3g}", plot)
@@ -117,7 +118,7 @@ def slope(view: View) -> Measured:
     order = float(np.polyfit(np.log(x), np.log(y), 1)[0])
     short = target - order
     error = max(0.0, short) if view.check.options.get("at_least") else abs(short)
-    plot = Plot(view.check.quantity, _value_name(view), "error",
+    plot = Plot(view.check.quantity, with_unit(_value_name(view)), "error, relative",
                 [Series(view.check.code, x, y, "o"),
                  Series(f"order {target:g}", x, y[-1] * (x / x[-1]) ** target, ":")],
                 log_x=True, log_y=True)
@@ -146,7 +147,7 @@ def history_trend(view: View) -> Measured:
     if not largest > 0:
         raise CodeFailure(f"{view.option('column')} is zero throughout")
     rise = float(np.polyfit(time / time[-1], values, 1)[0])
-    plot = Plot(view.variant.name, "time, s", view.option("column"),
+    plot = Plot(view.variant.name, "time, s", with_unit(view.option("column")),
                 [Series(view.check.code, time, values, "-")])
     return Measured(abs(rise) / largest, f"largest value {largest:.3g}", plot)
 
@@ -194,7 +195,7 @@ def history_fall(view: View) -> Measured:
     largest = float(np.abs(values).max())
     if not largest > 0:
         raise CodeFailure(f"{view.option('column')} is zero throughout")
-    plot = Plot(view.variant.name, "time, s", view.option("column"),
+    plot = Plot(view.variant.name, "time, s", with_unit(view.option("column")),
                 [Series(view.check.code, time, values, "-")])
     return Measured(max(0.0, -float(np.diff(values).min())) / largest,
                     f"rises to {largest:.3g}", plot)

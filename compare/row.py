@@ -65,6 +65,7 @@ class Row:
     note: str  #: why it failed, or what to know
     reason: str  #: why this tolerance
     plot: Plot | None = field(default=None, repr=False)
+    law: str = ""  #: of class C: "independent", or "shared" when both compute it by the same source
 
     @property
     def passed(self) -> bool:

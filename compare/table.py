@@ -7,9 +7,10 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
+from compare.provenance import Provenance
 from compare.row import Row, RunLine
 
-HEADER = ("case", "variant", "quantity", "class", "code", "reference", "error", "tolerance", "",
+HEADER = ("case", "variant", "quantity", "class", "code", "reference", "law", "error", "tolerance", "",
           "time/s")
 RUN_HEADER = ("case", "variant", "code", "elements", "bonds", "steps", "time/s", "ns/bond-step")
 
@@ -21,9 +22,29 @@ def number(value: float | None) -> str:
 
 def cells(row: Row) -> tuple[str, ...]:
     """What the table shows of a row."""
-    return (row.case, row.variant, row.quantity, row.label, row.code, row.reference,
+    return (row.case, row.variant, row.quantity, row.label, row.code, row.reference, row.law,
             number(row.error), number(row.tolerance), "pass" if row.passed else "FAIL",
             number(row.wall_seconds))
+
+
+CLASSES = "Class: A analytic, P published, C other code, R regression."
+LAW = ("Law of class C: independent, or shared where both codes compute it by the same source, so that "
+       "geometry, sums and integration alone are compared.")
+
+
+def matrix(rows: list[Row], codes: list[str]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """Cases by codes: header, and for each case how many of the checks that look at a code passed."""
+    named = {name for row in rows for name in (row.code, row.reference)}
+    known = [code for code in codes if code in named]
+    lines = []
+    for case in dict.fromkeys(row.case for row in rows):
+        cells_of_case = []
+        for code in known:
+            passed = [row.passed for row in rows
+                      if row.case == case and code in (row.code, row.reference)]
+            cells_of_case.append(f"{sum(passed)}/{len(passed)}" if passed else "")
+        lines.append((case, *cells_of_case))
+    return ("case", *known), lines
 
 
 def run_cells(line: RunLine) -> tuple[str, ...]:
@@ -69,10 +90,10 @@ def terminal(rows: list[Row], lines: list[RunLine]) -> str:
     return "\n\n".join([*parts, "\n".join([*failures(rows), verdict(rows)])])
 
 
-def markdown(rows: list[Row], lines: list[RunLine]) -> str:
+def markdown(rows: list[Row], lines: list[RunLine], made: Provenance) -> str:
     """The tables as a Markdown page."""
-    parts = ["# Verification", verdict(rows),
-             "Class: A analytic, P published, C other code, R regression.",
+    parts = ["# Verification", verdict(rows), "\n".join(f"- {words}" for words in made.lines()),
+             _markdown(*matrix(rows, list(made.versions))), CLASSES, LAW,
              _markdown(HEADER, [cells(row) for row in rows])]
     parts += ["\n".join(f"- {words}" for words in failures(rows))] if failures(rows) else []
     if lines:
@@ -80,10 +101,10 @@ def markdown(rows: list[Row], lines: list[RunLine]) -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def write(rows: list[Row], lines: list[RunLine], directory: Path) -> None:
+def write(rows: list[Row], lines: list[RunLine], made: Provenance, directory: Path) -> None:
     """Writes table.md and table.json."""
-    (directory / "table.md").write_text(markdown(rows, lines))
+    (directory / "table.md").write_text(markdown(rows, lines, made))
     plain = [{**{k: v for k, v in vars(row).items() if k != "plot"}, "passed": row.passed}
              for row in rows]
     (directory / "table.json").write_text(json.dumps(
-        {"rows": plain, "runs": [asdict(line) for line in lines]}, indent=1) + "\n")
+        {"made": asdict(made), "rows": plain, "runs": [asdict(line) for line in lines]}, indent=1) + "\n")

@@ -12,6 +12,7 @@ from compare.measures import measure
 from compare.result import CodeFailure, Floats, Result
 from compare.row import Measured, Plot, Series
 from compare.runs import View
+from compare.units import with_unit
 
 #: Lasting strain at which a curve is said to yield (σ_0.2).
 LASTING = 0.002
@@ -202,13 +203,20 @@ def difference_before_rupture(view: View) -> Measured:
         raise CodeFailure("fewer than ten rows before the first bond broke")
     scale = float(np.abs(b).max())
     name = view.option("column")
-    plot = Plot(f"{name}, {view.variant.name}", "step", name,
+    plot = Plot(f"{name}, {view.variant.name}", "step", with_unit(name),
                 [Series(view.check.reference, steps, b, wide=True),
                  Series(view.check.code, steps, a, "--")],
                 below=[Series(view.check.code, steps[1:], np.abs(a - b)[1:] / scale + 1e-17)],
-                below_label="difference", below_log=True)
+                below_label="difference / largest", below_log=True)
     return Measured(float(np.abs(a - b)[until].max()) / scale,
                     f"{int(until.sum())} rows, to step {steps[until][-1]:.0f}", plot)
+
+
+@measure
+def first_rupture_difference(view: View) -> Measured:
+    """Steps between the last rows before a bond broke, in two codes."""
+    found, wanted = _first_rupture(view.tested), _first_rupture(view.other)
+    return Measured(abs(found - wanted), f"after step {found:.0f}")
 
 
 @measure

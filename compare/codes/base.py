@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import time
 from dataclasses import dataclass, field
@@ -58,11 +59,26 @@ class Code(Protocol):
     def missing(self) -> str | None:
         """Why the code cannot be used; None when it can."""
 
+    def version(self) -> str:
+        """What the program says of its version; OSError, SubprocessError or ValueError."""
+
+    def shares_laws(self, parameters: Parameters | None) -> bool:
+        """Whether it computes the laws of a job by solidem's own source; None: one beam."""
+
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job with its files in a directory of its own; CodeFailure when that fails."""
 
     def beam_loads(self, spheres: TwoSpheres, directory: Path, timeout: float) -> Floats:
         """(M, 4, 3) forces on i and j, moments on i and j, N and N·m; CodeFailure."""
+
+
+def said_version(command: Sequence[str | Path], pattern: str) -> str:
+    """The first group of a pattern in what a program says; ValueError when it is not there."""
+    done = subprocess.run([str(word) for word in command], stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, errors="replace", timeout=60, check=False)
+    if not (found := re.search(pattern, done.stdout + done.stderr, re.MULTILINE)):
+        raise ValueError(f"{Path(str(command[0])).name} does not say which it is")
+    return found.group(1).strip()
 
 
 def run_program(command: Sequence[str | Path], directory: Path, timeout: float,

@@ -11,9 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from compare.codes.base import Job, TwoSpheres, run_program
+from compare.codes.base import Job, TwoSpheres, run_program, said_version
 from compare.references import MovingDisc
 from compare.result import CodeFailure, Floats, Frame, Result
+from contrib.prepared import Parameters
 
 
 @dataclass(frozen=True)
@@ -145,6 +146,14 @@ class Calculix:
         if shutil.which(self.program) is None:
             return f"no program {self.program!r} on the path (Debian package calculix-ccx)"
         return None
+
+    def version(self) -> str:
+        """What the program says it is."""
+        return said_version([self.program, "-v"], r"Version (\S+)")
+
+    def shares_laws(self, parameters: Parameters | None) -> bool:
+        """They are its own."""
+        return False
 
     def run(self, job: Job, directory: Path) -> Result:
         """Temperatures at the points of the case against time, as sensors of these names."""

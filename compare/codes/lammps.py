@@ -15,10 +15,10 @@ from pathlib import Path
 
 import numpy as np
 
-from compare.codes.base import Job, TwoSpheres, run_program
+from compare.codes.base import Job, TwoSpheres, run_program, said_version
 from compare.codes.dump import read_dump, read_rows
 from compare.result import CodeFailure, Floats, Result
-from contrib.prepared import CentralForces, PreparedError, Specimen
+from contrib.prepared import CentralForces, Parameters, PreparedError, Specimen
 
 #: Types, when each element is one: a line of the script for each pair of them.
 MOST_TYPES = 300
@@ -181,6 +181,14 @@ class Lammps:
         if shutil.which(self.program) is None:
             return f"no program {self.program!r} on the path (Debian package lammps)"
         return None
+
+    def version(self) -> str:
+        """What the program says it is."""
+        return said_version([self.program, "-h"], r"Simulator - (.+)$") + f", {self.style}"
+
+    def shares_laws(self, parameters: Parameters | None) -> bool:
+        """They are its own."""
+        return False
 
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job of central forces of the (m,n) law."""

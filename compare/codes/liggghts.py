@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from compare.codes.base import ROOT, Job, TwoSpheres, run_program
+from compare.codes.base import ROOT, Job, TwoSpheres, run_program, said_version
 from compare.codes.dump import read_dump, read_rows
 from compare.result import CodeFailure, Floats, Result
 from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, central_lines, full,
@@ -193,6 +193,15 @@ class Liggghts:
             raise CodeFailure(f"liggghts did not finish its run; see {directory / 'output.log'}")
         writing = re.findall(r"Outpt time \(%\) = (\S+)", log)
         return float(found[-1]) - (float(writing[-1]) if writing else 0.0)
+
+    def version(self) -> str:
+        """What the program says it is."""
+        return said_version([self.program or "liggghts", "-in", "/dev/null", "-log", "none"],
+                            r"Version (LIGGGHTS[^,)]+)") + ", with solidem's styles"
+
+    def shares_laws(self, parameters: Parameters | None) -> bool:
+        """The styles include solidem's headers."""
+        return True
 
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job of beams, of conduction, of both, or of central forces."""

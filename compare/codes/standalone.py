@@ -7,9 +7,9 @@ import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from compare.codes.base import ROOT, Job, TwoSpheres, read_loads, run_program
+from compare.codes.base import ROOT, Job, TwoSpheres, read_loads, run_program, said_version
 from compare.result import CodeFailure, Floats, Result, read_result
-from contrib.prepared import Plasticity
+from contrib.prepared import Parameters, Plasticity
 
 
 def _default_program() -> Path:
@@ -38,6 +38,14 @@ class Standalone:
             raise CodeFailure(reason)
         run_program([self.program, *words], directory, timeout)
         return directory / "output.log"
+
+    def version(self) -> str:
+        """What the program says it is."""
+        return said_version([self.program, "--version"], r"(\S+)")
+
+    def shares_laws(self, parameters: Parameters | None) -> bool:
+        """These are solidem's own."""
+        return True
 
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job."""

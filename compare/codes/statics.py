@@ -30,6 +30,14 @@ class Statics:
         """Why the program cannot be used."""
         return self.standalone.missing()
 
+    def version(self) -> str:
+        """What the program says it is."""
+        return self.standalone.version()
+
+    def shares_laws(self, parameters: Parameters | None) -> bool:
+        """These are solidem's own."""
+        return True
+
     def run(self, job: Job, directory: Path) -> Result:
         """Solves a scene for the loads at its end."""
         results = directory / "results"

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
-from compare.codes.base import ROOT, Job, TwoSpheres, read_loads, run_program
+from compare.codes.base import ROOT, Job, TwoSpheres, read_loads, run_program, said_version
 from compare.result import CodeFailure, Floats, Result, read_result
 from contrib.yade.beam_law import law_of, path_loads
-from contrib.prepared import Beams, Plasticity, Specimen
+from contrib.prepared import Beams, Parameters, Plasticity, Specimen
 
 SCRIPTS = ROOT / "contrib" / "yade"
 
@@ -45,6 +45,14 @@ class Yade:
         # One thread: YADE's sums are repeatable only then. -x ends it after the script.
         run_program([self.program, "-n", "-x", "-j1", SCRIPTS / script, *arguments], directory,
                     timeout, {"OMP_WAIT_POLICY": "passive"})
+
+    def version(self) -> str:
+        """What the program says it is."""
+        return said_version([self.program, "--version"], r"version: *(\S+)")
+
+    def shares_laws(self, parameters: Parameters | None) -> bool:
+        """Its own, or a second writing; law voronoi has conductances of solidem's."""
+        return bool(parameters and parameters.conduction and parameters.conduction.law == "voronoi")
 
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job."""

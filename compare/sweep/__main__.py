@@ -76,8 +76,10 @@ def main(words: Sequence[str] | None = None, program: Path | None = None) -> int
     if reason := standalone.missing():
         print(reason, file=sys.stderr)
         return 2
-    # An end from outside is an interrupt, too: runs write their checkpoints.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    # An end from outside is an interrupt, too: runs write their checkpoints. Ctrl-C is one also where
+    # the shell that started this had it ignored, which Python would leave so.
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
     try:
         results = [run_sweep(paths[name], standalone.program, arguments)
                    for name in arguments.sweeps]

@@ -15,6 +15,7 @@ import pytest
 from compare.codes.base import Job, TwoSpheres
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure, Floats, Frame, Result
+from contrib.prepared import Parameters
 
 SCENE = """\
 title = "a rod"
@@ -51,9 +52,16 @@ class FakeCode:
     name: str
     action: Callable[[Job, Path], Result]
     reason: str | None = None
+    shared: bool = False
 
     def missing(self) -> str | None:
         return self.reason
+
+    def version(self) -> str:
+        return "7.5"
+
+    def shares_laws(self, parameters: Parameters | None) -> bool:
+        return self.shared
 
     def run(self, job: Job, directory: Path) -> Result:
         return self.action(job, directory)
@@ -67,6 +75,9 @@ class FakeStandalone(Standalone):
 
     def missing(self) -> str | None:
         return None
+
+    def version(self) -> str:
+        return "1.2.3"
 
     def call(self, words: list[str | Path], directory: Path, timeout: float) -> Path:
         directory.mkdir(parents=True, exist_ok=True)

@@ -195,18 +195,21 @@ def test_a_run_cut_short_is_made_again(place):
     assert place() == 0 and place.calls() == ["run"]
 
 
-def test_an_interrupted_sweep_goes_on_where_it_was(place):
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("at_start", [signal.SIG_DFL, signal.SIG_IGN])
+def test_an_interrupted_sweep_goes_on_where_it_was(place, number, at_start):
+    """Also where the signal was ignored when the sweep began, as in the background of a shell."""
     (place.folder / "spring.toml").write_text(SCENE + "wait = true\n")
     command = [sys.executable, "-c", "import sys; from pathlib import Path; from "
                "compare.sweep.__main__ import main; sys.exit(main(sys.argv[2:], Path(sys.argv[1])))",
                str(place.program), *place.words("--quick", "--jobs", "1")]
-    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL,
-                          stderr=subprocess.PIPE, text=True) as running:
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                          text=True, preexec_fn=lambda: signal.signal(number, at_start)) as running:
         end = time.monotonic() + 60
         while not list(place.folder.glob("out/*/points/*/run/waiting")):
             assert time.monotonic() < end and running.poll() is None
             time.sleep(0.05)
-        running.send_signal(signal.SIGINT)
+        running.send_signal(number)
         assert running.wait(30) == 130
         assert running.stderr is not None and "goes on" in running.stderr.read()
     assert place.calls() == ["specimen", "run"]

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import heat_network
 from liggghts_runs import HEADER, Body, Liggghts, dump, read_dump, simple_cubic, thermo
 
 RADIUS = 0.5e-3
@@ -141,3 +142,31 @@ def test_calibration_scales_areas_and_capacities(
     assert np.ptp(temperature) > 100 and abs(capacity - 1) > 0.01
     assert np.abs(temperature - expected).max() <= 1e-12 * 500
     assert energies[-1] == pytest.approx(energies[0], rel=1e-13)
+
+
+@pytest.mark.parametrize("newton", ["on", "off"])
+def test_an_unstable_step_is_told(liggghts: Liggghts, tmp_path: Path, newton: str) -> None:
+    """The limit is 2 over the largest eigenvalue of the network, here by numpy: a little below, the
+    run goes; a little above, it is refused, and the message gives the limit."""
+    body = heat_network.network()
+    body.write(tmp_path)
+    i, j = body.body.pairs.T
+    matrix = np.zeros((len(body.volume), len(body.volume)))
+    np.add.at(matrix, (i, i), body.conductance)
+    np.add.at(matrix, (j, j), body.conductance)
+    np.subtract.at(matrix, (i, j), body.conductance)
+    np.subtract.at(matrix, (j, i), body.conductance)
+    elements, conductance = body.walls["left"]
+    matrix[elements, elements] += conductance
+    imposed = np.arange(100, 120)  # the fastest may be among them: nothing hangs on those
+    free = np.setdiff1d(np.arange(len(body.volume)), imposed)
+    root = body.capacity[free] ** -0.5
+    limit = 2 / np.linalg.eigvalsh(root[:, None] * matrix[np.ix_(free, free)] * root).max()
+    script = heat_network.beginning(newton) + heat_network.VORONOI + heat_network.LEFT + (
+        "group imposed id 101:120\nfix cold imposed solidem/temperature 298\n"
+    )
+    liggghts.run(tmp_path, script + f"timestep {0.98 * limit:.17g}\nrun 5\n")
+    with pytest.raises(AssertionError, match="is unstable: conduction bears steps below") as failure:
+        liggghts.run(tmp_path, script + f"timestep {1.03 * limit:.17g}\nrun 5\n")
+    told = str(failure.value).split("steps below ")[1].split()[0]
+    assert float(told) == pytest.approx(limit, rel=0.02)

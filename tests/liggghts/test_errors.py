@@ -145,6 +145,32 @@ WRONG = {
         "fix hot all solidem/temperature 300\nrun 0\n",
         "needs a 'fix ID all solidem/conduction'",
     ),
+    "atoms of beams that nothing turns": (
+        BEAM + "fix bonds all solidem/bonds\nfix motion all nve\nrun 0\n",
+        "moves 8 bonded atoms that nothing turns, but beams bend with the turn of their atoms: use "
+        "'fix ID GROUP nve/solidem' instead",
+    ),
+    "orientations that nothing turns": (
+        BEAM + "fix bonds all solidem/bonds\nfix motion all nve/sphere\nrun 0\n",
+        "use 'fix ID GROUP nve/solidem' instead",
+    ),
+    "orientation that is no rotation": (
+        BEAM + "fix bonds all solidem/bonds\nrun 0\n"
+        "set atom 3 property/atom orientation 1 0.5 0 0\nrun 0\n",
+        "the orientation of atom 3 has the square 1.25",
+    ),
+    "below absolute zero": (
+        HEAT + "initial_temperature -1\n",
+        "initial_temperature is counted from absolute zero and must not be below it, but is -1",
+    ),
+    "set below absolute zero": (
+        HEAT + "initial_temperature 298\nrun 0\nset atom 3 property/atom Temp -1\nrun 0\n",
+        "atom 3 has -1.000000 K; temperatures are counted from absolute zero",
+    ),
+    "imposed below absolute zero": (
+        HEAT + "initial_temperature 298\nfix cold all solidem/temperature -1\nrun 0\n",
+        "must not be below it, but is -1.000000",
+    ),
     "temperature by no variable": (
         HEAT + "initial_temperature 298\nfix hot all solidem/temperature v_warm\nrun 0\n",
         "no variable named warm",
@@ -171,6 +197,24 @@ def test_wrong_input_is_told(liggghts: Liggghts, tmp_path: Path, case: str) -> N
         liggghts.run(tmp_path, BODY + lines)
     assert "ERROR" in str(failure.value)
     assert message in str(failure.value)
+
+
+#: Atoms of a beam that something else turns, that do not move by forces, or whose bonds bear no
+#: moments.
+RIGHT = {
+    "turned by another fix": "fix motion all nve\nfix turning all nve/solidem rotation_only\n",
+    "held": "group held id 1 2 3 4\ngroup free subtract all held\nfix grip held move linear 0 0 0\n"
+    "fix motion free nve/solidem\n",
+    "without forces": "fix motion all nve/noforce\n",
+    "springs": "fix motion all nve\n",
+}
+
+
+@pytest.mark.parametrize("case", RIGHT)
+def test_motion_that_is_right_is_taken(liggghts: Liggghts, tmp_path: Path, case: str) -> None:
+    simple_cubic((2, 2, 2), 1e-3).write(tmp_path / "body.data")
+    beam = BEAM.replace("0.3", "0.3 law spring") if case == "springs" else BEAM
+    liggghts.run(tmp_path, BODY + beam + "fix bonds all solidem/bonds\n" + RIGHT[case] + "run 1\n")
 
 
 PAIR = "pair_style solidem/central piecewise stiffness 1e6 attraction 25 range 1.2"

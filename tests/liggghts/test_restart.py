@@ -83,3 +83,57 @@ def test_a_restart_may_change_the_number_of_ranks(
     liggghts.run(tmp_path, beginning() + f"run {HALF}\nwrite_restart half.restart\n", ranks=4)
     liggghts.run(tmp_path, RESUME + state() + f"run {STEPS - HALF}\n", ranks=1)
     assert largest_difference(one_run, read_dump(tmp_path / "state.txt")[STEPS]) <= ROUND_OFF
+
+
+def resumed_from(liggghts: Liggghts, folder: Path, content: bytes) -> str:
+    """What LIGGGHTS says when it goes on from a restart file."""
+    (folder / "half.restart").write_bytes(content)
+    try:
+        return liggghts.run(folder, RESUME + "run 1\n")
+    except AssertionError as failure:
+        return str(failure)
+
+
+@pytest.mark.parametrize("part", ["history of bonds", "figures of the fix", "coefficients",
+                                  "heat supplied", "key of a bond"])
+def test_a_restart_file_that_is_damaged_in_our_part_is_refused(
+    liggghts: Liggghts, tmp_path: Path, part: str
+) -> None:
+    """One bit is turned over in what the styles wrote."""
+    moving_bar.write_body(tmp_path)
+    liggghts.run(tmp_path, beginning() + f"run {HALF}\nwrite_restart half.restart\n")
+    whole = (tmp_path / "half.restart").read_bytes()
+    assert "damaged" not in resumed_from(liggghts, tmp_path, whole)
+    a_bond = place_of_a_bond(whole)
+    at = {
+        "history of bonds": a_bond,
+        "key of a bond": a_bond - 2 * 8,
+        "figures of the fix": behind(whole, b"solidem/bonds\0"),
+        "heat supplied": behind(whole, b"solidem/temperature\0"),
+        "coefficients": whole.index(np.float64(3.5e10).tobytes()),
+    }[part]
+    broken = bytearray(whole)
+    broken[at + 5] ^= 4
+    said = resumed_from(liggghts, tmp_path, bytes(broken))
+    assert "damaged, or of another version" in said
+    words = {"history of bonds": "the record of atom", "key of a bond": "the record of atom",
+             "coefficients": "coefficients of bond style solidem/beam"}
+    assert words.get(part, "what this fix wrote into it") in said
+
+
+def behind(content: bytes, style: bytes) -> int:
+    """Where the first number of a fix stands: behind the length and the checksum."""
+    return content.index(style) + len(style) + 4 + 8
+
+
+def place_of_a_bond(content: bytes) -> int:
+    """Where a history begins: with a unit vector and a rest length."""
+    for shift in range(8):
+        number = np.frombuffer(content, offset=shift, count=(len(content) - shift) // 8)
+        with np.errstate(all="ignore"):
+            square = number[:-3] ** 2 + number[1:-2] ** 2 + number[2:-1] ** 2
+            found = np.flatnonzero((abs(square - 1) < 1e-12) & (number[1:-2] != 0)
+                                   & (abs(number[3:] / (2 * moving_bar.RADIUS) - 1) < 0.1))
+        if len(found):
+            return shift + 8 * int(found[0])
+    raise AssertionError("no bond in the restart file")

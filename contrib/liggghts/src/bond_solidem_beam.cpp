@@ -25,6 +25,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "solidem_beam_words.h"
+#include "solidem_restart.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -53,6 +54,11 @@ BondSolidemBeam::~BondSolidemBeam() {
 bool BondSolidemBeam::may_break() const {
   return std::any_of(beams.begin() + 1, beams.end(),
                      [](const SolidemBeam& beam) { return beam.may_break(); });
+}
+
+bool BondSolidemBeam::bears_moments() const {
+  return std::any_of(beams.begin() + 1, beams.end(),
+                     [](const SolidemBeam& beam) { return beam.law != SolidemBeam::SPRING; });
 }
 
 void BondSolidemBeam::init_style() {
@@ -202,14 +208,22 @@ double BondSolidemBeam::equilibrium_distance(int) {
 }
 
 void BondSolidemBeam::write_restart(FILE* fp) {
-  fwrite(&beams[1], sizeof(SolidemBeam), atom->nbondtypes, fp);
+  const size_t bytes = atom->nbondtypes * sizeof(SolidemBeam);
+  const double checksum = solidem_checksum(&beams[1], bytes);
+  fwrite(&checksum, sizeof(double), 1, fp);
+  fwrite(&beams[1], 1, bytes, fp);
 }
 
 void BondSolidemBeam::read_restart(FILE* fp) {
   allocate();
   const int n = atom->nbondtypes;
-  if (comm->me == 0 && fread(&beams[1], sizeof(SolidemBeam), n, fp) != static_cast<size_t>(n))
-    error->one(FLERR, "The restart file ends inside the coefficients of bond style solidem/beam");
+  double checksum = 0.0;
+  if (comm->me == 0 && (fread(&checksum, sizeof(double), 1, fp) != 1 ||
+                        fread(&beams[1], sizeof(SolidemBeam), n, fp) != static_cast<size_t>(n) ||
+                        checksum != solidem_checksum(&beams[1], n * sizeof(SolidemBeam))))
+    error->one(FLERR,
+               "The restart file is damaged, or of another version: the coefficients of bond style "
+               "solidem/beam do not match their checksum");
   MPI_Bcast(&beams[1], n * sizeof(SolidemBeam), MPI_BYTE, 0, world);
   for (int i = 1; i <= n; i++) setflag[i] = 1;
   widen_history();

@@ -50,6 +50,8 @@ class BondSolidemBeam : public Bond {
 
   const SolidemBeam& beam(int type) const { return beams[type]; }
   bool may_break() const;
+  /// Does any type bear bending or torsion?
+  bool bears_moments() const;
   /// The ends of a bond between two atoms of this rank, ghosts included; i is made the lower tag.
   SolidemBondEnds ends(int& i, int& j) const;
   /// How many bonds of this rank broke at the last step.

@@ -12,8 +12,11 @@
 #include <string.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -27,6 +30,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "solidem_reach.h"
+#include "solidem_restart.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -47,6 +51,7 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
       list_is_current(false),
       minimal_bonds(0),
       beams(NULL),
+      orientation(NULL),
       lost(NULL),
       removed(NULL),
       gone_plastic_work(0.0) {
@@ -69,6 +74,11 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
   restart_global = 1;
   restart_peratom = 1;
   history = new SolidemBondValues(liggghts, atom->bond_hist, atom->n_bondhist);
+  history->when_forgotten = [this](const double* memory_of_bond) {
+    if (history->width() < Row::CHANGING) return;
+    const double fraction = force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
+    gone_plastic_work += fraction * memory_of_bond[Row::PLASTIC_WORK];
+  };
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
@@ -83,16 +93,18 @@ FixSolidemBonds::~FixSolidemBonds() {
 
 void FixSolidemBonds::post_create() {
   if (!modify->find_fix_property("orientation", "property/atom", "vector", 4, 0, style, false)) {
-    const char* orientation[] = {"orientation", "all",    "property/atom",
-                                 "orientation", "vector", "yes",
-                                 "yes",         "no",     "1",
-                                 "0",           "0",      "0"};
-    modify->add_fix_property_atom(12, const_cast<char**>(orientation), style);
+    const char* command[] = {"orientation", "all",    "property/atom",
+                             "orientation", "vector", "yes",
+                             "yes",         "no",     "1",
+                             "0",           "0",      "0"};
+    modify->add_fix_property_atom(12, const_cast<char**>(command), style);
   }
   find_properties();
 }
 
 void FixSolidemBonds::find_properties() {
+  orientation = static_cast<FixPropertyAtom*>(
+      modify->find_fix_property("orientation", "property/atom", "vector", 4, 0, style));
   beams = dynamic_cast<BondSolidemBeam*>(force->bond);
   if (beams && beams->may_break()) lost = property("lostBonds", "no", "yes");
   if (minimal_bonds > 0) removed = property("removedAtom", "yes", "no");
@@ -109,7 +121,7 @@ FixPropertyAtom* FixSolidemBonds::property(const char* name, const char* forward
 }
 
 int FixSolidemBonds::setmask() {
-  return PRE_EXCHANGE | PRE_FORCE | POST_FORCE;
+  return PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE | POST_FORCE;
 }
 
 void FixSolidemBonds::init() {
@@ -125,6 +137,43 @@ void FixSolidemBonds::init() {
     error->fix_error(FLERR, this, "bonds that break cannot conduct heat as well");
   if (history->most_numbers_of_an_atom() > MOST_NUMBERS_OF_AN_ATOM)
     error->fix_error(FLERR, this, "an atom has too many bonds for the buffers of LIGGGHTS");
+  require_turning();
+}
+
+/* ----------------------------------------------------------------------
+   beams bend with the turn of their atoms: who moves atoms by their forces
+   must turn them, too
+------------------------------------------------------------------------- */
+
+void FixSolidemBonds::require_turning() {
+  if (!beams || !beams->bears_moments()) return;
+  int turned = 0;
+  for (int k = 0; k < modify->nfix; k++)
+    if (strcmp(modify->fix[k]->style, "nve/solidem") == 0) turned |= modify->fix[k]->groupbit;
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix* mover = modify->fix[k];
+    const std::string moves = mover->style;
+    if (!mover->time_integrate || moves == "move" || moves.compare(0, 11, "nve/noforce") == 0)
+      continue;
+    const int unturned = bonded_and_unturned(mover->groupbit, turned);
+    if (unturned == 0) continue;
+    error->fix_error(FLERR, this,
+                     ("'fix " + std::string(mover->id) + " ... " + moves + "' moves " +
+                      std::to_string(unturned) +
+                      " bonded atoms that nothing turns, but beams bend with the turn of their "
+                      "atoms: use 'fix ID GROUP nve/solidem' instead, and for atoms that must not "
+                      "turn 'move' or 'nve/noforce'")
+                         .c_str());
+  }
+}
+
+// How many atoms that list a bond are of one group and not of another.
+int FixSolidemBonds::bonded_and_unturned(int moved, int turned) const {
+  int here = 0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    here += atom->num_bond[i] > 0 && (atom->mask[i] & moved) && !(atom->mask[i] & turned);
+  MPI_Allreduce(&here, &all, 1, MPI_INT, MPI_SUM, world);
+  return all;
 }
 
 // The neighbour lists were just built: from now on the bond style works on neighbor->bondhistlist.
@@ -146,6 +195,40 @@ void FixSolidemBonds::pre_exchange() {
   drop_gone_bonds();
 }
 
+// Whoever changed the lists of bonds since, the next list of bonds finds each row in its place.
+void FixSolidemBonds::setup_pre_neighbor() {
+  require_bonds_switched_on();
+  require_unit_orientations();
+  pre_neighbor();
+}
+
+void FixSolidemBonds::pre_neighbor() {
+  history->settle_all();
+}
+
+void FixSolidemBonds::require_bonds_switched_on() const {
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < atom->num_bond[i]; m++)
+      if (atom->bond_type[i][m] <= 0)
+        error->one(FLERR, ("Fix solidem/bonds: the bond of atoms " + std::to_string(atom->tag[i]) +
+                           " and " + std::to_string(atom->bond_atom[i][m]) +
+                           " is switched off: use delete_bonds with 'remove', or 'undo'")
+                              .c_str());
+}
+
+void FixSolidemBonds::require_unit_orientations() const {
+  const double tolerance = 1e-6;  // what a user may have typed
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double* q = orientation->array_atom[i];
+    const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    if (!(fabs(square - 1.0) <= tolerance))
+      error->one(FLERR,
+                 ("Fix solidem/bonds: the orientation of atom " + std::to_string(atom->tag[i]) +
+                  " has the square " + std::to_string(square) + ", not 1")
+                     .c_str());
+  }
+}
+
 void FixSolidemBonds::post_run() {
   store_history();
   drop_gone_bonds();
@@ -165,34 +248,28 @@ double FixSolidemBonds::extend_cut_ghost() {
 
 /* ----------------------------------------------------------------------
    put the history of the bond list back to the atoms, before they move on;
-   the loop runs in the order in which Neighbor::bond_all made the list
+   a bond that has left its atom's list meanwhile takes its history along
 ------------------------------------------------------------------------- */
 
 void FixSolidemBonds::store_history() {
   if (!list_is_current) return;
   list_is_current = false;
 
-  const int width = history->width();
-  double** list = neighbor->bondhistlist;
-  double*** bond_hist = atom->bond_hist;
-  int n = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int m = 0; m < atom->num_bond[i]; m++) {
-      if (atom->bond_type[i][m] <= 0) continue;
-      const int j = domain->closest_image(i, atom->map(atom->bond_atom[i][m]));
-      if (!force->newton_bond && i > j) continue;
-      if (n >= neighbor->nbondlist || neighbor->bondlist[n][0] != i)
-        error->one(FLERR, "Bonds changed since the bond list was built: history would be mixed up");
-      std::copy_n(list[n], width, bond_hist[i][m]);
-      if (!force->newton_bond &&
-          j < atom->nlocal) {  // both atoms list the bond, the list has it once
-        const int* first = atom->bond_atom[j];
-        const int* last = first + atom->num_bond[j];
-        const int mirror = static_cast<int>(std::find(first, last, atom->tag[i]) - first);
-        if (mirror < atom->num_bond[j]) std::copy_n(list[n], width, bond_hist[j][mirror]);
-      }
-      n++;
-    }
+  int** list = neighbor->bondlist;
+  for (int n = 0; n < neighbor->nbondlist; n++) {
+    const int i = list[n][0], j = list[n][1], type = list[n][2];
+    int nth = 0;  // of several alike between two atoms; the list goes by first atoms
+    for (int before = n - 1; before >= 0 && list[before][0] == i; before--)
+      nth += atom->tag[list[before][1]] == atom->tag[j] && list[before][2] == type;
+    store_row(n, i, atom->tag[j], nth);
+    const bool listed_by_both = !force->newton_bond && j < atom->nlocal;
+    if (listed_by_both) store_row(n, j, atom->tag[i], nth);
+  }
+}
+
+void FixSolidemBonds::store_row(int n, int i, int partner, int nth) {
+  double* row = history->find(i, partner, neighbor->bondlist[n][2], nth);
+  if (row) std::copy_n(neighbor->bondhistlist[n], history->width(), row);
 }
 
 /* ----------------------------------------------------------------------
@@ -205,20 +282,18 @@ void FixSolidemBonds::drop_gone_bonds() {
   double* lost_bonds = lost->vector_atom;
   std::fill_n(lost_bonds + atom->nlocal, atom->nghost, 0.0);
   double dropped = 0.0, all_dropped;
+  history->settle_all();
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = atom->num_bond[i] - 1; m >= 0; m--) {
-      const double* memory_of_bond = atom->bond_hist[i][m];
-      if (!Row::is_gone(memory_of_bond)) continue;
-      const double fraction = force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
-      gone_plastic_work += fraction * memory_of_bond[Row::PLASTIC_WORK];
+      if (!Row::is_gone(atom->bond_hist[i][m])) continue;
       lost_bonds[i] += 1.0;
       if (force->newton_bond) lost_bonds[atom->map(atom->bond_atom[i][m])] += 1.0;
-      dropped += fraction;
+      dropped += force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
 
-      history->forget(i, m);
       const int last = --atom->num_bond[i];
       atom->bond_atom[i][m] = atom->bond_atom[i][last];
       atom->bond_type[i][m] = atom->bond_type[i][last];
+      history->settle(i);
     }
   MPI_Allreduce(&dropped, &all_dropped, 1, MPI_DOUBLE, MPI_SUM, world);
   if (all_dropped == 0.0) return;
@@ -314,6 +389,7 @@ double FixSolidemBonds::plastic_work() {
   const bool running = list_is_current;
   store_history();
   list_is_current = running;
+  history->settle_all();
   double work = gone_plastic_work;
   const double fraction = force->newton_bond ? 1.0 : 0.5;
   for (int i = 0; i < atom->nlocal; i++)
@@ -357,20 +433,17 @@ void FixSolidemBonds::write_restart(FILE* fp) {
   const double never = std::numeric_limits<double>::max();
   double sums[4] = {mine.broken, mine.formed, mine.fracture_energy, gone_plastic_work};
   double first = mine.first_rupture == 0.0 ? never : mine.first_rupture;
-  double stored[6];
-  MPI_Reduce(sums, stored + 1, 4, MPI_DOUBLE, MPI_SUM, 0, world);
-  MPI_Reduce(&first, stored + 5, 1, MPI_DOUBLE, MPI_MIN, 0, world);
+  double sum[4], earliest;
+  MPI_Reduce(sums, sum, 4, MPI_DOUBLE, MPI_SUM, 0, world);
+  MPI_Reduce(&first, &earliest, 1, MPI_DOUBLE, MPI_MIN, 0, world);
   if (comm->me != 0) return;
-  stored[0] = history->width();
-  if (stored[5] == never) stored[5] = 0.0;
-  const int bytes = sizeof stored;
-  fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(stored, sizeof(double), 6, fp);
+  if (earliest == never) earliest = 0.0;
+  solidem_write_restart(
+      fp, {static_cast<double>(history->width()), sum[0], sum[1], sum[2], sum[3], earliest});
 }
 
 void FixSolidemBonds::restart(char* buffer) {
-  double stored[6];
-  memcpy(stored, buffer, sizeof stored);
+  const std::vector<double> stored = solidem_read_restart(error, this, buffer, 6);
   if (static_cast<int>(stored[0]) != history->width())
     error->fix_error(FLERR, this, "the restart file holds another bond style's history");
   BondSolidemBeam* bonds = dynamic_cast<BondSolidemBeam*>(force->bond);
@@ -398,7 +471,7 @@ int FixSolidemBonds::pack_restart(int i, double* buffer) {
   return history->pack_restart(i, buffer);
 }
 void FixSolidemBonds::unpack_restart(int i, int nth) {
-  history->unpack_restart(i, nth);
+  history->unpack_restart(this, i, nth);
 }
 int FixSolidemBonds::size_restart(int i) {
   return history->size_restart(i);

@@ -43,6 +43,8 @@ class FixSolidemBonds : public Fix {
   void post_force(int);
   void setup_pre_exchange();
   void pre_exchange();
+  void setup_pre_neighbor();
+  void pre_neighbor();
   void post_run();
   double extend_cut_ghost();
   double compute_vector(int);
@@ -71,13 +73,18 @@ class FixSolidemBonds : public Fix {
 
   int minimal_bonds;             // atoms that lost bonds and keep fewer are removed; 0: never
   class BondSolidemBeam* beams;  // NULL: another bond style
-  class FixPropertyAtom *lost, *removed;
+  class FixPropertyAtom *orientation, *lost, *removed;
   double gone_plastic_work;                       // of bonds that left the lists of this rank
   std::vector<double> whole_bonds, broken_bonds;  // of every atom, ghosts included
 
   void find_properties();
+  void require_turning();
+  int bonded_and_unturned(int moved, int turned) const;
+  void require_bonds_switched_on() const;
+  void require_unit_orientations() const;
   class FixPropertyAtom* property(const char* name, const char* forward, const char* reverse);
   void store_history();
+  void store_row(int n, int i, int partner, int nth);
   void drop_gone_bonds();
   void remove_atoms();
   void count_bonds();

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "atom.h"
 #include "comm.h"
@@ -19,6 +20,7 @@
 #include "force.h"
 #include "memory.h"
 #include "pair_solidem_central.h"
+#include "solidem_restart.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -27,7 +29,12 @@ using namespace FixConst;
 const char* const FixSolidemCentral::ID = "solidem_central";
 
 FixSolidemCentral::FixSolidemCentral(LAMMPS* liggghts, int narg, char** arg)
-    : Fix(liggghts, narg, arg), totals(), known(false), most_partners(0), last_power(0.0) {
+    : Fix(liggghts, narg, arg),
+      totals(),
+      known(false),
+      atoms_known(-1),
+      most_partners(0),
+      last_power(0.0) {
   if (strcmp(id, ID) != 0 || !pair())
     error->fix_error(FLERR, this, "is made by 'pair_style solidem/central', not by hand");
   vector_flag = 1;
@@ -60,13 +67,57 @@ void FixSolidemCentral::init() {
   reserve_buffers();
 }
 
-// What the pair style made of the neighbour list is about to be wrong.
 void FixSolidemCentral::setup_pre_neighbor() {
   pre_neighbor();
 }
 
+// What the pair style made of the neighbour list is about to be wrong.
 void FixSolidemCentral::pre_neighbor() {
   pair()->forget_list();
+  if (were_renumbered()) follow_renumbering();
+}
+
+/* ----------------------------------------------------------------------
+   delete_atoms gives those that are left new tags, and later atoms may get
+   tags of those that are gone: partners are told the new ones
+------------------------------------------------------------------------- */
+
+bool FixSolidemCentral::were_renumbered() const {
+  if (!known) return false;
+  int here = atoms_known >= 0 && atoms_known != atom->natoms, any;
+  here = here || !std::equal(tags.begin(), tags.begin() + atom->nlocal, atom->tag);
+  MPI_Allreduce(&here, &any, 1, MPI_INT, MPI_MAX, world);
+  return any;
+}
+
+void FixSolidemCentral::follow_renumbering() {
+  const std::vector<int> now = new_tags();
+  for (int i = 0; i < atom->nlocal; i++) {
+    std::vector<Partner> kept;
+    for (const Partner& partner : partners[i]) {
+      const size_t before = static_cast<size_t>(partner.tag);
+      if (before < now.size() && now[before] > 0) kept.push_back({now[before], partner.distance});
+    }
+    partners[i].swap(kept);
+  }
+  note_tags();
+}
+
+void FixSolidemCentral::note_tags() {
+  std::copy_n(atom->tag, atom->nlocal, tags.begin());
+  atoms_known = atom->natoms;
+}
+
+// By the tag before; 0: that atom is gone.
+std::vector<int> FixSolidemCentral::new_tags() const {
+  int here = 0, largest;
+  for (int i = 0; i < atom->nlocal; i++) here = std::max(here, tags[i]);
+  MPI_Allreduce(&here, &largest, 1, MPI_INT, MPI_MAX, world);
+  std::vector<int> mine(largest + 1, 0), all(largest + 1);
+  for (int i = 0; i < atom->nlocal; i++) mine[tags[i]] = atom->tag[i];
+  mine[0] = 0;  // of atoms that are new
+  MPI_Allreduce(mine.data(), all.data(), largest + 1, MPI_INT, MPI_MAX, world);
+  return all;
 }
 
 /* ----------------------------------------------------------------------
@@ -92,6 +143,7 @@ void FixSolidemCentral::end_of_keeping() {
   const int here = static_cast<int>(most);
   MPI_Allreduce(&here, &most_partners, 1, MPI_INT, MPI_MAX, world);
   known = true;
+  note_tags();
   reserve_buffers();
 }
 
@@ -122,17 +174,14 @@ double FixSolidemCentral::compute_vector(int n) {
 }
 
 void FixSolidemCentral::write_restart(FILE* fp) {
-  const double stored[4] = {static_cast<double>(known), static_cast<double>(most_partners),
-                            compute_vector(1), compute_vector(2)};
-  if (comm->me != 0) return;
-  const int bytes = sizeof stored;
-  fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(stored, sizeof(double), 4, fp);
+  const std::vector<double> stored = {static_cast<double>(known),
+                                      static_cast<double>(most_partners), compute_vector(1),
+                                      compute_vector(2)};
+  if (comm->me == 0) solidem_write_restart(fp, stored);
 }
 
 void FixSolidemCentral::restart(char* buffer) {
-  double stored[4];
-  memcpy(stored, buffer, sizeof stored);
+  const std::vector<double> stored = solidem_read_restart(error, this, buffer, 4);
   known = stored[0] != 0.0;
   most_partners = static_cast<int>(stored[1]);
   totals.interpenetration = stored[2];
@@ -141,18 +190,22 @@ void FixSolidemCentral::restart(char* buffer) {
 
 void FixSolidemCentral::grow_arrays(int nmax) {
   partners.resize(nmax);
+  tags.resize(nmax);
 }
 
 void FixSolidemCentral::copy_arrays(int from, int to, int) {
   partners[to] = partners[from];
+  tags[to] = tags[from];
 }
 
 void FixSolidemCentral::set_arrays(int i) {
   partners[i].clear();
+  tags[i] = 0;
 }
 
 int FixSolidemCentral::pack_exchange(int i, double* buffer) {
   int n = 0;
+  buffer[n++] = tags[i];
   buffer[n++] = static_cast<double>(partners[i].size());
   for (const Partner& partner : partners[i]) {
     buffer[n++] = partner.tag;
@@ -162,30 +215,30 @@ int FixSolidemCentral::pack_exchange(int i, double* buffer) {
 }
 
 int FixSolidemCentral::unpack_exchange(int i, double* buffer) {
-  const int count = static_cast<int>(buffer[0]);
+  tags[i] = static_cast<int>(buffer[0]);
+  const int count = static_cast<int>(buffer[1]);
   partners[i].clear();
-  for (int k = 0; k < count; k++) keep(i, static_cast<int>(buffer[1 + 2 * k]), buffer[2 + 2 * k]);
-  return 1 + 2 * count;
+  for (int k = 0; k < count; k++) keep(i, static_cast<int>(buffer[2 + 2 * k]), buffer[3 + 2 * k]);
+  return 2 + 2 * count;
 }
 
-// LIGGGHTS' convention: the first number of a fix's restart data is its length.
 int FixSolidemCentral::pack_restart(int i, double* buffer) {
-  buffer[0] = 1 + pack_exchange(i, buffer + 1);
-  return static_cast<int>(buffer[0]);
+  return solidem_seal(buffer, pack_exchange(i, buffer + SOLIDEM_RESTART_HEAD));
 }
 
 void FixSolidemCentral::unpack_restart(int i, int nth) {
-  double* stored = atom->extra[i];
-  for (int fix = 0; fix < nth; fix++) stored += static_cast<int>(stored[0]);
-  unpack_exchange(i, stored + 1);
+  const SolidemStored stored = solidem_unseal(error, atom, this, i, nth);
+  if (stored.count < 2 || stored.count != 2 + 2 * static_cast<int>(stored.numbers[1]))
+    solidem_damaged(error, atom, this, i);
+  unpack_exchange(i, const_cast<double*>(stored.numbers));
 }
 
 int FixSolidemCentral::size_restart(int i) {
-  return 2 + 2 * static_cast<int>(partners[i].size());
+  return SOLIDEM_RESTART_HEAD + 2 + 2 * static_cast<int>(partners[i].size());
 }
 
 int FixSolidemCentral::maxsize_restart() {
-  return 2 + 2 * most_partners;
+  return SOLIDEM_RESTART_HEAD + 2 + 2 * most_partners;
 }
 
 double FixSolidemCentral::memory_usage() {

@@ -77,12 +77,18 @@ class FixSolidemCentral : public Fix {
     double distance;
   };
   std::vector<std::vector<Partner> > partners;  // of local atoms
+  std::vector<int> tags;                        // under which their partners know local atoms
   bool known;
-  int most_partners;  // of any atom on any rank
-  double last_power;  // W
+  bigint atoms_known;  // how many atoms there were when tags were last looked at; -1: not yet
+  int most_partners;   // of any atom on any rank
+  double last_power;   // W
 
   class PairSolidemCentral* pair() const;
   void reserve_buffers();
+  bool were_renumbered() const;
+  void follow_renumbering();
+  void note_tags();
+  std::vector<int> new_tags() const;
 };
 
 }  // namespace LAMMPS_NS

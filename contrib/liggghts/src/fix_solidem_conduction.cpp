@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "atom.h"
@@ -20,6 +21,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_property_atom.h"
+#include "fix_solidem_exchange.h"
 #include "force.h"
 #include "laws/heat_exchange.hpp"
 #include "laws/platonic_conduction.hpp"
@@ -91,6 +93,12 @@ void FixSolidemConduction::read_arguments(int narg, char** arg) {
     }
     const double value = force->numeric(FLERR, arg[iarg + 1]);
     if (key == "initial_temperature") {
+      if (!(value >= 0.0))
+        error->fix_error(FLERR, this,
+                         ("initial_temperature is counted from absolute zero and must not be below "
+                          "it, but is " +
+                          std::string(arg[iarg + 1]))
+                             .c_str());
       initial_temperature = value;
       has_temperature = true;
       continue;
@@ -184,6 +192,11 @@ void FixSolidemConduction::setup_pre_force(int) {
   build_conductors();
 }
 
+void FixSolidemConduction::setup(int) {
+  require_temperatures();
+  require_stable_step();
+}
+
 // Indices of atoms hold until the neighbour lists are built anew.
 void FixSolidemConduction::pre_force(int) {
   if (neighbor->ago == 0) build_conductors();
@@ -237,6 +250,7 @@ bool FixSolidemConduction::see_new_bonds() {
 ------------------------------------------------------------------------- */
 
 void FixSolidemConduction::see_cells() {
+  values->settle_all();
   bool unseen = false;
   for (int i = 0; i < atom->nlocal; i++) {
     unseen = unseen || cell_volume->vector_atom[i] == 0.0;
@@ -299,6 +313,7 @@ void FixSolidemConduction::scale_capacities() {
 }
 
 void FixSolidemConduction::build_conductors() {
+  values->settle_all();
   if (law != "voronoi") {
     const bool new_bonds = see_new_bonds();
     if (new_bonds) count_bonds();
@@ -337,6 +352,103 @@ void FixSolidemConduction::find_steps() {
   step_of_capacities = update->dt;
 }
 
+void FixSolidemConduction::require_temperatures() const {
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!(temperature->vector_atom[i] >= 0.0))
+      error->one(FLERR, ("Fix solidem/conduction: atom " + std::to_string(atom->tag[i]) + " has " +
+                         std::to_string(temperature->vector_atom[i]) +
+                         " K; temperatures are counted from absolute zero")
+                            .c_str());
+}
+
+/* ----------------------------------------------------------------------
+   an explicit step is stable up to 2 over the fastest decay of any field of
+   temperatures, which is once to twice the fastest of one warm atom alone
+------------------------------------------------------------------------- */
+
+void FixSolidemConduction::require_stable_step() {
+  const std::vector<double> conductance = conductances_of_atoms();
+  const std::vector<bool> free = free_atoms();
+  double here = 0.0, fastest;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (free[i]) here = std::max(here, conductance[i] / heat_capacity(i));
+  MPI_Allreduce(&here, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (update->dt * fastest <= 1.0) return;
+
+  here = fastest_decay(conductance, free);
+  MPI_Allreduce(&here, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (update->dt * fastest <= 2.0) return;
+  char message[160];
+  snprintf(message, sizeof message,
+           "the time step %g is unstable: conduction bears steps below %.3g at most", update->dt,
+           2.0 / fastest);
+  error->fix_error(FLERR, this, message);
+}
+
+// The sum of what leads to each local atom, walls included, W/K.
+std::vector<double> FixSolidemConduction::conductances_of_atoms() {
+  double* sum = heat_flux->vector_atom;  // the ranks' common place; afterwards it is as it was
+  const std::vector<double> flux(sum, sum + atom->nlocal + atom->nghost);
+  std::fill_n(sum, flux.size(), 0.0);
+  for (const Conductor& bond : conductors) {
+    sum[bond.i] += bond.conductance;
+    if (force->newton_bond || bond.j < atom->nlocal) sum[bond.j] += bond.conductance;
+  }
+  if (force->newton_bond) heat_flux->do_reverse_comm();
+  std::vector<double> conductance(sum, sum + atom->nlocal);
+  std::copy(flux.begin(), flux.end(), sum);
+  for (int k = 0; k < modify->nfix; k++)
+    if (const FixSolidemExchange* wall = dynamic_cast<FixSolidemExchange*>(modify->fix[k]))
+      wall->add_conductances(conductance.data());
+  return conductance;
+}
+
+// Those whose temperature nothing imposes.
+std::vector<bool> FixSolidemConduction::free_atoms() const {
+  int imposed = 0;
+  for (int k = 0; k < modify->nfix; k++)
+    if (strcmp(modify->fix[k]->style, "solidem/temperature") == 0)
+      imposed |= modify->fix[k]->groupbit;
+  std::vector<bool> free(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; i++) free[i] = !(atom->mask[i] & imposed);
+  return free;
+}
+
+/* ----------------------------------------------------------------------
+   by power iteration on the atoms of this rank, their neighbours elsewhere
+   held still: never above the body's own, 1/s
+------------------------------------------------------------------------- */
+
+double FixSolidemConduction::fastest_decay(const std::vector<double>& conductance,
+                                           const std::vector<bool>& free) const {
+  const int nlocal = atom->nlocal, iterations = 200;
+  std::vector<double> field(nlocal), change(nlocal), root(nlocal);
+  for (int i = 0; i < nlocal; i++) {
+    root[i] = 1.0 / sqrt(heat_capacity(i));
+    field[i] = free[i] ? sin(1.0 + 2.0 * atom->tag[i]) : 0.0;
+  }
+  double rate = 0.0;
+  for (int k = 0; k < iterations; k++) {
+    for (int i = 0; i < nlocal; i++) change[i] = conductance[i] * root[i] * root[i] * field[i];
+    for (const Conductor& bond : conductors) {
+      if (bond.j >= nlocal) continue;
+      const double coupling = bond.conductance * root[bond.i] * root[bond.j];
+      change[bond.i] -= coupling * field[bond.j];
+      change[bond.j] -= coupling * field[bond.i];
+    }
+    double square = 0.0, product = 0.0;
+    for (int i = 0; i < nlocal; i++) {
+      if (!free[i]) change[i] = 0.0;
+      product += field[i] * change[i];
+      square += change[i] * change[i];
+    }
+    if (square == 0.0) break;
+    if (k > 0) rate = product;  // the field has length 1 from then on, and the quotient only grows
+    for (int i = 0; i < nlocal; i++) field[i] = change[i] / sqrt(square);
+  }
+  return rate;
+}
+
 // Other fixes add to the fluxes too; temperatures change after all have done so.
 void FixSolidemConduction::post_force(int) {
   const int nlocal = atom->nlocal;
@@ -354,7 +466,10 @@ void FixSolidemConduction::post_force(int) {
 }
 
 void FixSolidemConduction::final_integrate() {
-  if (step_of_capacities != update->dt) find_steps();  // the time step was changed in mid-run
+  if (step_of_capacities != update->dt) {  // the time step was changed in mid-run
+    find_steps();
+    require_stable_step();
+  }
   double* temp = temperature->vector_atom;
   const double* flux = heat_flux->vector_atom;
   const double* source = heat_source->vector_atom;
@@ -391,7 +506,7 @@ int FixSolidemConduction::pack_restart(int i, double* buffer) {
   return values->pack_restart(i, buffer);
 }
 void FixSolidemConduction::unpack_restart(int i, int nth) {
-  values->unpack_restart(i, nth);
+  values->unpack_restart(this, i, nth);
 }
 int FixSolidemConduction::size_restart(int i) {
   return values->size_restart(i);

@@ -41,6 +41,7 @@ class FixSolidemConduction : public Fix {
   int setmask();
   void init();
   void setup_pre_force(int);
+  void setup(int);
   void pre_force(int);
   void post_force(int);
   void final_integrate();
@@ -91,6 +92,11 @@ class FixSolidemConduction : public Fix {
   void build_conductors();
   double area(int, int, int) const;
   void find_steps();
+  void require_temperatures() const;
+  void require_stable_step();
+  std::vector<double> conductances_of_atoms();
+  std::vector<bool> free_atoms() const;
+  double fastest_decay(const std::vector<double>& conductance, const std::vector<bool>& free) const;
 };
 
 }  // namespace LAMMPS_NS

@@ -24,6 +24,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "pair_solidem_central.h"
+#include "solidem_restart.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -204,15 +205,11 @@ void FixSolidemDamage::unpack_comm(int n, int first, double* buffer) {
 
 void FixSolidemDamage::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  const double stored[2] = {static_cast<double>(begun), static_cast<double>(last_removal)};
-  const int bytes = sizeof stored;
-  fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(stored, sizeof(double), 2, fp);
+  solidem_write_restart(fp, {static_cast<double>(begun), static_cast<double>(last_removal)});
 }
 
 void FixSolidemDamage::restart(char* buffer) {
-  double stored[2];
-  memcpy(stored, buffer, sizeof stored);
+  const std::vector<double> stored = solidem_read_restart(error, this, buffer, 2);
   begun = stored[0] != 0.0;
   last_removal = static_cast<bigint>(stored[1]);
 }
@@ -240,24 +237,22 @@ int FixSolidemDamage::unpack_exchange(int i, double* buffer) {
   return WIDTH;
 }
 
-// LIGGGHTS' convention: the first number of a fix's restart data is its length.
 int FixSolidemDamage::pack_restart(int i, double* buffer) {
-  buffer[0] = 1 + pack_exchange(i, buffer + 1);
-  return static_cast<int>(buffer[0]);
+  return solidem_seal(buffer, pack_exchange(i, buffer + SOLIDEM_RESTART_HEAD));
 }
 
 void FixSolidemDamage::unpack_restart(int i, int nth) {
-  double* stored = atom->extra[i];
-  for (int fix = 0; fix < nth; fix++) stored += static_cast<int>(stored[0]);
-  unpack_exchange(i, stored + 1);
+  const SolidemStored stored = solidem_unseal(error, atom, this, i, nth);
+  if (stored.count != WIDTH) solidem_damaged(error, atom, this, i);
+  std::copy_n(stored.numbers, WIDTH, state[i]);
 }
 
 int FixSolidemDamage::size_restart(int) {
-  return 1 + WIDTH;
+  return maxsize_restart();
 }
 
 int FixSolidemDamage::maxsize_restart() {
-  return 1 + WIDTH;
+  return SOLIDEM_RESTART_HEAD + WIDTH;
 }
 
 double FixSolidemDamage::memory_usage() {

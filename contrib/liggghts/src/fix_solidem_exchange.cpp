@@ -19,6 +19,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "solidem_number.h"
+#include "solidem_restart.h"
 #include "solidem_table.h"
 #include "update.h"
 
@@ -118,13 +119,17 @@ void FixSolidemExchange::find_local() {
   }
 }
 
+void FixSolidemExchange::add_conductances(double* of_atoms) const {
+  for (const Contact& contact : local) of_atoms[contact.atom] += contact.conductance;
+}
+
 // A step takes the outer temperature at its start, as it takes all others.
 void FixSolidemExchange::setup(int) {
-  outer_now = outer->value();
+  outer_now = outer->temperature();
 }
 
 void FixSolidemExchange::end_of_step() {
-  outer_now = outer->value();
+  outer_now = outer->temperature();
 }
 
 void FixSolidemExchange::post_force(int) {
@@ -150,13 +155,12 @@ double FixSolidemExchange::compute_scalar() {
 void FixSolidemExchange::write_restart(FILE* fp) {
   const double total = compute_scalar();
   if (comm->me != 0) return;
-  const int bytes = sizeof(double);
-  fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(&total, sizeof(double), 1, fp);
+  solidem_write_restart(fp, {total});
 }
 
 void FixSolidemExchange::restart(char* buffer) {
-  if (comm->me == 0) memcpy(&heat_supplied, buffer, sizeof(double));
+  const double total = solidem_read_restart(error, this, buffer, 1)[0];
+  if (comm->me == 0) heat_supplied = total;
 }
 
 double FixSolidemExchange::memory_usage() {

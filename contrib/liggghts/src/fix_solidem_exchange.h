@@ -39,6 +39,8 @@ class FixSolidemExchange : public Fix {
   void post_force(int);
   void end_of_step();
   double compute_scalar();
+  /// Adds each local atom's conductance to this wall, W/K.
+  void add_conductances(double* of_atoms) const;
   void write_restart(FILE*);
   void restart(char*);
   double memory_usage();

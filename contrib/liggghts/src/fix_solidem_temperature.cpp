@@ -18,6 +18,7 @@
 #include "fix_solidem_conduction.h"
 #include "modify.h"
 #include "solidem_number.h"
+#include "solidem_restart.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -64,7 +65,7 @@ void FixSolidemTemperature::end_of_step() {
 }
 
 double FixSolidemTemperature::impose() {
-  const double target = imposed->value();
+  const double target = imposed->temperature();
   double heat = 0.0, total;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -85,11 +86,9 @@ double FixSolidemTemperature::compute_scalar() {
 
 void FixSolidemTemperature::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  const int bytes = sizeof(double);
-  fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(&heat_supplied, sizeof(double), 1, fp);
+  solidem_write_restart(fp, {heat_supplied});
 }
 
 void FixSolidemTemperature::restart(char* buffer) {
-  memcpy(&heat_supplied, buffer, sizeof(double));
+  heat_supplied = solidem_read_restart(error, this, buffer, 1)[0];
 }

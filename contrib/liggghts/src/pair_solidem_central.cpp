@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <variant>
 
 #include "atom.h"
@@ -29,6 +30,7 @@
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
+#include "solidem_restart.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -299,19 +301,36 @@ void PairSolidemCentral::read_restart(FILE* fp, const int major, const int minor
 void PairSolidemCentral::write_restart_settings(FILE* fp) {
   const std::string words = solidem_write_central(settings_);
   const int length = static_cast<int>(words.size());
+  const double checksum = solidem_checksum(words.data(), words.size());
   fwrite(&length, sizeof(int), 1, fp);
+  fwrite(&checksum, sizeof(double), 1, fp);
   fwrite(words.data(), 1, words.size(), fp);
 }
 
-void PairSolidemCentral::read_restart_settings(FILE* fp, const int, const int) {
+// On rank 0.
+std::string PairSolidemCentral::read_words(FILE* fp) {
+  const int longest = 10000;
   int length = 0;
-  const char* const torn =
-      "The restart file ends inside the settings of pair style solidem/central";
-  if (comm->me == 0 && fread(&length, sizeof(int), 1, fp) != 1) error->one(FLERR, torn);
+  double checksum = 0.0;
+  std::string words;
+  if (fread(&length, sizeof(int), 1, fp) == 1 && fread(&checksum, sizeof(double), 1, fp) == 1 &&
+      length > 0 && length < longest) {
+    words.resize(length);
+    words.resize(fread(&words[0], 1, length, fp));
+  }
+  if (words.empty() || checksum != solidem_checksum(words.data(), words.size()))
+    error->one(FLERR,
+               "The restart file is damaged, or of another version: the settings of pair style "
+               "solidem/central do not match their checksum");
+  return words;
+}
+
+void PairSolidemCentral::read_restart_settings(FILE* fp, const int, const int) {
+  std::string text;
+  if (comm->me == 0) text = read_words(fp);
+  int length = static_cast<int>(text.size());
   MPI_Bcast(&length, 1, MPI_INT, 0, world);
-  std::string text(length, ' ');
-  if (comm->me == 0 && fread(&text[0], 1, length, fp) != static_cast<size_t>(length))
-    error->one(FLERR, torn);
+  text.resize(length);
   MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
   std::vector<std::string> words;
   for (size_t at = 0; at < text.size();) {

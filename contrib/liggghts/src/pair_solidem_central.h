@@ -18,6 +18,7 @@ PairStyle(solidem/central,PairSolidemCentral)
 #ifndef LMP_PAIR_SOLIDEM_CENTRAL_H
 #define LMP_PAIR_SOLIDEM_CENTRAL_H
 
+#include <string>
 #include <vector>
 
 #include "laws/algebra.hpp"
@@ -76,6 +77,7 @@ class PairSolidemCentral : public Pair {
   bool list_is_current_;
 
   void allocate();
+  std::string read_words(FILE*);
   void provide_memory();
   void require_wide_cell() const;
   void remember_initial_pairs();

@@ -11,6 +11,9 @@
 
 #include <string.h>
 
+#include <limits>
+#include <string>
+
 #include "error.h"
 #include "fix.h"
 #include "force.h"
@@ -44,4 +47,15 @@ double SolidemNumber::value() {
   const double value = input->variable->compute_equal(found);
   modify->addstep_compute_all(update->ntimestep + 1);
   return value;
+}
+
+double SolidemNumber::temperature() {
+  const double kelvin = value();
+  if (!(kelvin >= 0.0 && kelvin <= std::numeric_limits<double>::max()))
+    error->fix_error(
+        FLERR, owner_,
+        ("a temperature is counted from absolute zero and must not be below it, but is " +
+         std::to_string(kelvin))
+            .c_str());
+  return kelvin;
 }

@@ -25,6 +25,8 @@ class SolidemNumber : protected Pointers {
   void init();
   /// The value at the present time step.
   double value();
+  /// The same, of which an error is made when it is no absolute temperature.
+  double temperature();
 
  private:
   class Fix* owner_;
