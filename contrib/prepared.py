@@ -7,6 +7,7 @@ Everything is in SI units. This file needs no simulation program: numpy and h5py
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -239,11 +240,18 @@ class Parameters:
     contact: Contact | None = None
     central_forces: CentralForces | None = None
     damage: Damage | None = None
+    gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  #: acceleration of free fall, m/s²
+    local_damping: float = 0.0  #: Cundall's coefficient
 
     def require_support(self) -> None:
         """PreparedError when the scene asks for what other codes are not given."""
         if self.unsupported:
             raise PreparedError("; ".join(self.unsupported))
+
+
+def _vector(values: Any) -> tuple[float, float, float]:
+    x, y, z = map(float, values)
+    return x, y, z
 
 
 def _values(group: Any, name: str) -> dict[str, Values]:
@@ -381,6 +389,18 @@ def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
     return replace(_known(kind, law), parameters=parameters)
 
 
+#: Sections of effects of which other codes are told.
+KNOWN_SECTIONS = {"beams", "plasticity", "rupture", "contact", "damage", "central_forces", "grips",
+                  "gravity", "damping", "conduction", "thermal_contacts", "heat_sources",
+                  "heat_fluxes", "convections", "temperatures", "initial_velocities"}
+
+
+def _unknown_sections(effects: list[dict[str, str]]) -> list[str]:
+    """What to say of effects that act in solidem and that no other code is told of."""
+    asked = {name for effect in effects for name in re.findall(r"\[([a-z_]+)\]", effect["reason"])}
+    return [f"[{name}] is not understood" for name in sorted(asked - KNOWN_SECTIONS)]
+
+
 def parse_parameters(explained: dict[str, Any]) -> Parameters:
     """Parameters from the object that `solidem explain --json` prints."""
     laws = explained.get("laws", {})
@@ -390,6 +410,9 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         conduction = _conduction(laws["conduction"], unsupported)
     if explained.get("initial_velocities"):
         unsupported.append("initial velocities are not understood")
+    unsupported += _unknown_sections(explained.get("effects") or [])
+    if laws.get("damping", {}).get("viscous") is not None:
+        unsupported.append("viscous damping is not understood")
     for entry in explained.get("powers") or []:
         if not entry["constant"]:
             unsupported.append(f"heat source {entry['name']}: varies; only constants in elements "
@@ -409,6 +432,8 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         _known(Contact, laws.get("contact")),
         _known(CentralForces, laws.get("central_forces")),
         _known(Damage, laws.get("damage")),
+        _vector(laws.get("gravity", {}).get("acceleration", (0, 0, 0))),
+        float(laws.get("damping", {}).get("local") or 0.0),
     )
 
 

@@ -159,11 +159,23 @@ def beam_lines(specimen: Specimen, parameters: Parameters) -> str:
     minimal = parameters.rupture.minimal_bonds if parameters.rupture else 0
     lines = f"bond_style solidem/beam\nbond_coeff 1 {words}\nfix bonds all solidem/bonds"
     lines += f" minimal_bonds {minimal}\n" if minimal else "\n"
+    lines += field_lines(parameters)
     for number, grip in enumerate(parameters.grips):
         lines += _grip_lines(f"grip{number}", grip, specimen.sets[f"grip.{grip.name}"])
     held = " ".join(f"grip{number}" for number in range(len(parameters.grips)))
     lines += f"group free subtract all {held}\n" if held else ""
     return lines + f"fix motion {'free' if held else 'all'} nve/solidem\n"
+
+
+def field_lines(parameters: Parameters) -> str:
+    """The commands for gravity; PreparedError for damping, which LIGGGHTS has not."""
+    if parameters.local_damping:
+        raise PreparedError("[damping] local is not supported in LIGGGHTS")
+    strength = float(np.linalg.norm(parameters.gravity))
+    if strength == 0:
+        return ""
+    towards = " ".join(full(g / strength) for g in parameters.gravity)
+    return f"fix gravity all gravity {full(strength)} vector {towards}\n"
 
 
 def _grip_lines(name: str, grip: Grip, elements: Integers) -> str:
@@ -215,6 +227,7 @@ def central_lines(specimen: Specimen, parameters: Parameters) -> str:
     lines += f"pair_style solidem/central {pair_words(forces)}\npair_coeff * *\n"
     if damage and damage_words(damage):
         lines += f"fix damage all solidem/damage {damage_words(damage)}\n"
+    lines += field_lines(parameters)
     for number, grip in enumerate(parameters.grips):
         name, speed = f"grip{number}", " ".join("NULL" if v is None else full(v)
                                                 for v in grip.velocity)

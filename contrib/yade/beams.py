@@ -15,7 +15,7 @@ from motion import MotionScene, add_spheres
 from prepared import Beams, Parameters, Specimen
 from yade import (CohFrictMat, Engine, ForceResetter, Ig2_Sphere_Sphere_ScGeom6D, InteractionLoop,
                   Ip2_CohFrictMat_CohFrictMat_CohFrictPhys,
-                  Law2_ScGeom6D_CohFrictPhys_CohesionMoment, NewtonIntegrator, O, PyRunner, utils)
+                  Law2_ScGeom6D_CohFrictPhys_CohesionMoment, O, PyRunner, utils)
 
 #: Adhesion that never breaks, N.
 UNBREAKABLE = 1e300
@@ -79,9 +79,9 @@ class BeamScene(MotionScene):
             ForceResetter(),
             loads,
             # Motion imposed before the first look at the bonds would count as a shear of its own.
-            PyRunner(iterPeriod=1, nDo=1, initRun=True, command="scene.start_motion()"),
+            PyRunner(iterPeriod=1, nDo=2, initRun=True, command="scene.start_motion()"),
             PyRunner(iterPeriod=1, initRun=True, label="observer",
                      command="scene.observe()"),
-            NewtonIntegrator(damping=0, gravity=(0, 0, 0), exactAsphericalRot=False),
+            self.newton(exactAsphericalRot=False),
         ]
         O.dt = self.parameters.time_step

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from prepared import Floats, Parameters, Specimen
 from results import Recorder
 from visible import make_visible
-from yade import Material, O, utils
+from yade import Material, NewtonIntegrator, O, utils
 from yade import _utils
 
 
@@ -37,8 +39,23 @@ class MotionScene:
         self.specimen, self.parameters = specimen, parameters
         self.recorder: Recorder | None = None
 
+    def newton(self, **options: Any) -> NewtonIntegrator:
+        """YADE's integrator of motion, with gravity and local damping."""
+        self._newton = NewtonIntegrator(damping=self.parameters.local_damping, gravity=(0, 0, 0),
+                                        **options)
+        return self._newton
+
+    def weight_of(self, elements: list[int]) -> Floats:
+        """(3,) gravity on some elements, N."""
+        mass = self.specimen.column("mechanics/mass")[elements].sum()
+        return np.asarray(mass * np.array(self.parameters.gravity))
+
     def start_motion(self) -> None:
-        """Blocks what the grips hold and sets their velocities."""
+        """In the first step: blocks what the grips hold and sets their velocities. Gravity is half
+        of its own there, as velocities stand half a step behind from then on."""
+        self._newton.gravity = tuple((1.0 if O.iter else 0.5) * g for g in self.parameters.gravity)
+        if O.iter:
+            return
         for grip in self.parameters.grips:
             blocked = "".join(a for a, v in zip("xyz", grip.velocity) if v is not None)
             blocked += "XYZ" if grip.rotation_fixed else ""
@@ -66,7 +83,8 @@ class MotionScene:
 
     def _force_on(self, elements: list[int]) -> Floats:
         """(3,) sum of the body's forces on some elements, N."""
-        return np.asarray(np.sum([list(O.forces.f(i)) for i in elements], axis=0))
+        force = np.sum([list(O.forces.f(i)) for i in elements], axis=0)
+        return np.asarray(force) + self.weight_of(elements)
 
     def _frame(self) -> dict[str, Floats]:
         return {"position": bulk_positions()}

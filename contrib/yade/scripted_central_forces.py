@@ -14,7 +14,7 @@ from central_body import CentralBody
 from central_law import Floats, interaction_of
 from motion import MotionScene, add_spheres, bulk_positions
 from prepared import Parameters, Specimen
-from yade import ForceResetter, FrictMat, NewtonIntegrator, O, PyRunner
+from yade import ForceResetter, FrictMat, O, PyRunner
 
 
 def bulk_velocities() -> Floats:
@@ -41,10 +41,10 @@ class CentralForceScene(MotionScene):
         self.dissipated = 0.0
         O.engines = [
             ForceResetter(),
-            PyRunner(iterPeriod=1, nDo=1, initRun=True, command="scene.start_motion()"),
+            PyRunner(iterPeriod=1, nDo=2, initRun=True, command="scene.start_motion()"),
             PyRunner(iterPeriod=1, initRun=True, command="scene.load()"),
             PyRunner(iterPeriod=1, initRun=True, label="observer", command="scene.observe()"),
-            NewtonIntegrator(damping=0, gravity=(0, 0, 0)),
+            self.newton(),
         ]
         O.dt = parameters.time_step
 
@@ -64,12 +64,13 @@ class CentralForceScene(MotionScene):
             state.blockedDOFs, state.vel = "xyzXYZ", (0, 0, 0)
 
     def _force_on(self, elements: list[int]) -> Floats:
-        return np.asarray(self.found.force[elements].sum(axis=0))
+        return np.asarray(self.found.force[elements].sum(axis=0)) + self.weight_of(elements)
 
     def _kinetic_energy(self) -> float:
         """Of what grips do not move; velocities half a step behind are brought to this step, J."""
         behind = 0.5 * O.dt if O.iter else 0.0
-        velocity = bulk_velocities() + behind * self.found.force / self.mass[:, None]
+        velocity = bulk_velocities() + behind * (self.found.force / self.mass[:, None]
+                                                 + np.array(self.parameters.gravity))
         velocity[self.driven | self.body.removed[:, None]] = 0
         return float(0.5 * (self.mass[:, None] * velocity**2).sum())
 

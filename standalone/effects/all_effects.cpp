@@ -12,8 +12,10 @@
   kind(contact) \
   kind(damage) \
   kind(central_forces) \
+  kind(gravity) \
   kind(initial_velocities) \
   kind(grips) \
+  kind(damping) \
   kind(conduction) \
   kind(thermal_contacts) \
   kind(heat_sources) \

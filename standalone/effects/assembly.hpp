@@ -39,6 +39,14 @@ class Assembly {
       if (auto* found = dynamic_cast<Type*>(effect)) return found;
     return nullptr;
   }
+  /// All effects of a type that were made, in the order of the plan.
+  template <class Type>
+  std::vector<Type*> all() const {
+    std::vector<Type*> found;
+    for (Effect* effect : made_)
+      if (auto* one = dynamic_cast<Type*>(effect)) found.push_back(one);
+    return found;
+  }
   /// The same, which must be there.
   template <class Type>
   Type& need() const {

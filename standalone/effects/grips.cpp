@@ -32,6 +32,7 @@ Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
     for (int axis = 0; axis < 3; ++axis)
       if (imposed(axis)) velocity[Model::at(columns::velocity, i, axis)] = 0;
   }
+  if (applies_force()) remember(model, 0);
   if (!model.has(columns::velocity_for_neighbours)) return;
   double* carried = model.data(columns::velocity_for_neighbours);
   for (const std::int32_t e : elements_)
@@ -57,6 +58,37 @@ double Grip::imposed_velocity(int axis, double time) const {
                                                      : control.function.rate(time);
 }
 
+bool Grip::applies_force() const {
+  return std::any_of(
+      parameters_.axis.begin(), parameters_.axis.end(),
+      [](const AxisControl& control) { return control.kind == AxisControl::Kind::force; });
+}
+
+void Grip::remember(const Model& model, double time) {
+  last_position_.resize(elements_.size());
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const double* now = model.positions()[static_cast<std::size_t>(elements_[k])];
+    last_position_[k] = {now[0], now[1], now[2]};
+  }
+  last_time_ = time;
+}
+
+double Grip::force_work(const Model& model, double time) const {
+  const double total_mass = present_mass(model);
+  double work = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
+    if (control.kind != AxisControl::Kind::force) continue;
+    const double mean_force = 0.5 * (control.function(last_time_) + control.function(time));
+    for (std::size_t k = 0; k < last_position_.size(); ++k) {
+      if (!is_present(model, elements_[k])) continue;
+      const double now = model.positions()[static_cast<std::size_t>(elements_[k])][axis];
+      work += mean_force * mass_[k] / total_mass * (now - component(last_position_[k], axis));
+    }
+  }
+  return work;
+}
+
 double Grip::present_mass(const Model& model) const {
   double sum = 0;
   for (std::size_t k = 0; k < elements_.size(); ++k)
@@ -67,6 +99,10 @@ double Grip::present_mass(const Model& model) const {
 void Grip::advance(Model& model, const Step& step) {
   double* velocity = model.data(columns::velocity);
   const auto positions = model.positions(), next = model.next_positions();
+  if (applies_force()) {
+    work_ += force_work(model, step.time);
+    remember(model, step.time);
+  }
   const double after = step.time + step.time_step;
   double* carried = model.has(columns::velocity_for_neighbours)
                         ? model.next(columns::velocity_for_neighbours)
@@ -95,11 +131,7 @@ void Grip::advance(Model& model, const Step& step) {
       const double gain = force / total_mass * step.kick;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
         if (!is_present(model, elements_[k])) continue;
-        const auto i = static_cast<std::size_t>(elements_[k]);
-        kick(model, step, i, axis, gain);
-        // The force at either end of a step works over half of it.
-        const double mean_force = 0.5 * (force + control.function(after));
-        work_ += mean_force * mass_[k] / total_mass * (next[i][axis] - positions[i][axis]);
+        kick(model, step, static_cast<std::size_t>(elements_[k]), axis, gain);
       }
     }
   }
@@ -116,7 +148,7 @@ void Grip::observe(const Model& model, Observation& observation) const {
   Vector bond_force{};
   for (const std::int32_t e : elements_)
     bond_force += observation.motion.force[static_cast<std::size_t>(e)];
-  double work = work_;
+  double work = work_ + force_work(model, observation.time);
   Vector grip_force{};
   for (int axis = 0; axis < 3; ++axis) {
     const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
@@ -165,7 +197,7 @@ void Grip::correct_motion(const Model& model, const Vector& grip_force,
 }
 
 void Grip::state(Archive& archive) {
-  archive(work_, last_displacement_);
+  archive(work_, last_displacement_, last_position_, last_time_);
 }
 
 namespace {

@@ -19,7 +19,8 @@ namespace solidem {
 /// stays zero: its motion belongs to the grip, and its kinetic energy is not counted.
 ///
 /// Work is summed with the trapezoidal rule on bond force and imposed displacement; a force applied
-/// to free elements works along their own path. Elements that were removed are let go.
+/// to free elements works along their own path, once all that moves them has acted. Elements that
+/// were removed are let go.
 class Grip : public Effect {
  public:
   /// `mass` per element of the specimen, kg.
@@ -39,19 +40,28 @@ class Grip : public Effect {
 
   /// Whether the grip says where its elements are along an axis.
   bool imposed(int axis) const;
+  /// Whether its elements do not turn.
+  bool holds_rotation() const { return parameters_.rotation_fixed; }
 
  private:
   double imposed_velocity(int axis, double time) const;
   /// Of the elements that were not removed, kg: they share a force.
   double present_mass(const Model& model) const;
+  /// Work of the forces it applies, along the way of its elements from the step before to the
+  /// present poses at a time: half by the force at either end, J.
+  double force_work(const Model& model, double time) const;
+  void remember(const Model& model, double time);
+  bool applies_force() const;
   /// Corrects the observed velocities of the gripped elements, and the kinetic energy.
   void correct_motion(const Model& model, const Vector& grip_force, Observation& observation) const;
 
   GripParameters parameters_;
   std::vector<std::int32_t> elements_;
-  std::vector<Vector> rest_;  ///< where the elements stood at the start
-  std::vector<double> mass_;  ///< of the elements
-  double work_ = 0;           ///< done up to the last step, but for its second half
+  std::vector<Vector> rest_;           ///< where the elements stood at the start
+  std::vector<double> mass_;           ///< of the elements
+  double work_ = 0;                    ///< done up to the last step, but for its second half
+  std::vector<Vector> last_position_;  ///< of the elements where it applies a force, a step before
+  double last_time_ = 0;               ///< s, of these
   std::array<double, 3> last_displacement_{};  ///< of the last step, along imposed axes
 };
 

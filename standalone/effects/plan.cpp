@@ -7,6 +7,11 @@
 
 namespace solidem {
 
+bool Plan::has(const Column& column) const {
+  return std::any_of(columns.begin(), columns.end(),
+                     [&column](const PlannedColumn& present) { return present.column == &column; });
+}
+
 void Plan::ask(const std::string& effect, const std::vector<const Column*>& asked) {
   for (const Column* column : asked) {
     auto planned =

@@ -36,6 +36,7 @@ struct Plan {
   std::vector<PlannedEffect> effects;
   std::vector<PlannedColumn> columns;
 
+  bool has(const Column& column) const;
   /// Columns that an effect of this name works on.
   void ask(const std::string& effect, const std::vector<const Column*>& columns);
 };

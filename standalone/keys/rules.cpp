@@ -150,9 +150,12 @@ Rule triple(const std::string& expected_entry,
 }
 
 Rule vector(Vector& target, const Dimension& dimension, const Range& range) {
-  return triple(describe(dimension, range), [&target, dimension, range](const Value& entry, int k) {
-    component(target, k) = read_quantity(entry, dimension, range);
-  });
+  Rule rule =
+      triple(describe(dimension, range), [&target, dimension, range](const Value& entry, int k) {
+        component(target, k) = read_quantity(entry, dimension, range);
+      });
+  rule.show = [&target] { return std::array<double, 3>{target.x, target.y, target.z}; };
+  return rule;
 }
 
 namespace {

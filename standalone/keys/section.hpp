@@ -15,6 +15,7 @@
 #define SOLIDEM_KEYS_SECTION_HPP
 
 #include <toml++/toml.h>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -65,7 +66,8 @@ class Value {
 };
 
 /// A value as it stands in its target: none where nothing was given.
-using Shown = std::variant<std::monostate, double, std::int64_t, bool, std::string>;
+using Shown =
+    std::variant<std::monostate, double, std::int64_t, bool, std::string, std::array<double, 3>>;
 
 /// How one value is read into its target, and what it must be, in words.
 struct Rule {

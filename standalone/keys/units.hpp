@@ -24,6 +24,7 @@ inline constexpr Dimension length{"a length", "m", "0.5 mm"};
 inline constexpr Dimension time{"a time", "s", "1 ms"};
 inline constexpr Dimension velocity{"a velocity", "m/s", "3.3 mm/s"};
 inline constexpr Dimension rate{"a rate", "1/s", "100 1/s"};
+inline constexpr Dimension acceleration{"an acceleration", "m/s^2", "9.81 m/s^2"};
 inline constexpr Dimension force{"a force", "N", "25 N"};
 inline constexpr Dimension energy{"an energy", "J", "0.24 mJ"};
 inline constexpr Dimension stiffness{"a stiffness", "N/m", "1500 kN/m"};

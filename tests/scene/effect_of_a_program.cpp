@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A program that links the library adds an effect of its own, gravity, without a line anywhere
-// else: its section, its column, its energy, its summary and its checkpoint.
+// A program that links the library adds an effect of its own, a uniform field, without a line
+// anywhere else: its section, its column, its energy, its summary and its checkpoint.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,15 +25,15 @@ constexpr Column fall_work{"fall_work",
                            1,
                            true,
                            "J",
-                           "that gravity did on the element"};
+                           "that the field did on the element"};
 
-struct GravityParameters {
+struct FieldParameters {
   Vector field{};  ///< m/s²
 };
 
-class Gravity : public Effect {
+class UniformField : public Effect {
  public:
-  Gravity(const GravityParameters& parameters, const std::vector<double>& mass)
+  UniformField(const FieldParameters& parameters, const std::vector<double>& mass)
       : field_(parameters.field), mass_(mass) {}
 
   void advance(Model& model, const Step& step) override {
@@ -53,14 +53,14 @@ class Gravity : public Effect {
   void observe(const Model& model, Observation& observation) const override {
     for (std::size_t i = 0; i < model.elements(); ++i)
       observe_push(model, observation, static_cast<std::int32_t>(i), mass_[i] * field_);
-    observation.energies.add(EnergyLedger::Kind::input, "gravity_work", sum(model));
-    observation.add("steps_under_gravity", static_cast<double>(steps_));
+    observation.energies.add(EnergyLedger::Kind::input, "field_work", sum(model));
+    observation.add("steps_in_the_field", static_cast<double>(steps_));
   }
 
   double work() const override { return work_; }
   void state(Archive& archive) override { archive(steps_, work_); }
   void summarise(const Model& model, Summary& summary) const override {
-    summary["gravity_work"] = sum(model);
+    summary["field_work"] = sum(model);
   }
 
  private:
@@ -76,33 +76,33 @@ class Gravity : public Effect {
   double work_ = 0;  ///< J, since the start
 };
 
-std::vector<Key> gravity_keys(GravityParameters& p, Reading& /*reading*/) {
-  return {must_have("field", vector(p.field, acceleration)).means("of gravity")};
+std::vector<Key> field_keys(FieldParameters& p, Reading& /*reading*/) {
+  return {must_have("field", vector(p.field, acceleration)).means("strength")};
 }
 
-void plan_gravity(const Setup& setup, Plan& plan) {
-  const auto& gravity = setup.get<GravityParameters>();
-  if (!gravity) return;
+void plan_field(const Setup& setup, Plan& plan) {
+  const auto& field = setup.get<FieldParameters>();
+  if (!field) return;
   plan.effects.push_back(
-      {"gravity", "[gravity]", "", Phase::push, [gravity = *gravity](Assembly& assembly) {
-         return std::make_unique<Gravity>(gravity, assembly.mass);
+      {"uniform_field", "[uniform_field]", "", Phase::push, [field = *field](Assembly& assembly) {
+         return std::make_unique<UniformField>(field, assembly.mass);
        }});
-  plan.ask("gravity", {&fall_work});
+  plan.ask("uniform_field", {&fall_work});
 }
 
-EffectKind gravity_kind() {
+EffectKind field_kind() {
   EffectKind kind =
-      single_kind<GravityParameters>("gravity", gravity_keys, as_read<GravityParameters>);
+      single_kind<FieldParameters>("uniform_field", field_keys, as_read<FieldParameters>);
   kind.needs = Provides::motion;
-  kind.plan = plan_gravity;
-  kind.example = "[gravity]\nfield = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n";
+  kind.plan = plan_field;
+  kind.example = "[uniform_field]\nfield = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n";
   return kind;
 }
 
 /// Adds the kind for as long as a test runs.
 class EffectOfAProgram : public ::testing::Test {
  protected:
-  EffectOfAProgram() { effect_kinds().push_back(gravity_kind()); }
+  EffectOfAProgram() { effect_kinds().push_back(field_kind()); }
   ~EffectOfAProgram() override { effect_kinds().pop_back(); }
 
   const std::string body = R"toml([specimen]
@@ -118,7 +118,7 @@ radius_ratio = 0.5
 [run]
 steps = 400
 )toml";
-  const std::string falling = body + gravity_kind().example;
+  const std::string falling = body + field_kind().example;
 };
 
 Simulation simulate(const std::string& text) {
@@ -147,14 +147,14 @@ TEST_F(EffectOfAProgram, EntersTheBalanceOfEnergyUnderItsName) {
   Simulation simulation = simulate(falling);
   simulation.advance(400);
   const HistoryRow row = simulation.observe();
-  const double work = of(row, "gravity_work");
+  const double work = of(row, "field_work");
   EXPECT_GT(work, 0);
   EXPECT_NEAR(of(row, "kinetic_energy"), work, 1e-7 * work);
   EXPECT_NEAR(of(row, "energy_balance"), 0, 1e-7 * work);
-  EXPECT_EQ(of(row, "steps_under_gravity"), 400);
+  EXPECT_EQ(of(row, "steps_in_the_field"), 400);
   nlohmann::ordered_json summary;
   for (const auto& effect : simulation.effects()) effect->summarise(simulation.model(), summary);
-  EXPECT_EQ(summary["gravity_work"].get<double>(), work);
+  EXPECT_EQ(summary["field_work"].get<double>(), work);
 }
 
 TEST_F(EffectOfAProgram, GoesOnFromACheckpointToTheSameBits) {
@@ -165,7 +165,7 @@ TEST_F(EffectOfAProgram, GoesOnFromACheckpointToTheSameBits) {
   second.advance(250);
   EXPECT_EQ(second.save(), whole.save());
   EXPECT_EQ(whole.save().count("column.fall_work"), 1u);
-  EXPECT_EQ(whole.save().count("effect.gravity"), 1u);
+  EXPECT_EQ(whole.save().count("effect.uniform_field"), 1u);
 }
 
 TEST_F(EffectOfAProgram, CostsNothingWhereASceneDoesNotNameIt) {
@@ -176,16 +176,17 @@ TEST_F(EffectOfAProgram, CostsNothingWhereASceneDoesNotNameIt) {
 }
 
 TEST_F(EffectOfAProgram, ItsSectionIsReadAsStrictlyAsAnyOther) {
-  EXPECT_NE(complaint(replaced(falling, "\"-9.81 m/s^2\"", "\"-9.81 m\"")).find("[gravity] field"),
-            std::string::npos);
-  EXPECT_NE(complaint(replaced(falling, "field", "feld")).find("did you mean field"),
+  EXPECT_NE(
+      complaint(replaced(falling, "\"-9.81 m/s^2\"", "\"-9.81 m\"")).find("[uniform_field] field"),
+      std::string::npos);
+  EXPECT_NE(complaint(replaced(falling, "field = ", "feld = ")).find("did you mean field"),
             std::string::npos);
   const std::string still = replaced(
       replaced(falling, body.substr(body.find("[beams]")),
                "[conduction]\ninitial_temperature = \"300 K\"\n[run]\nsteps = 1\n"),
       "[material]\n",
       "[material]\nspecific_heat_capacity = \"880 J/(kg K)\"\nconductivity = \"134 W/(m K)\"\n");
-  EXPECT_NE(complaint(still).find("[gravity]: nothing moves; expected a section [beams]"),
+  EXPECT_NE(complaint(still).find("[uniform_field]: nothing moves; expected a section [beams]"),
             std::string::npos)
       << complaint(still);
 }

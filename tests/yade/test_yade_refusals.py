@@ -77,6 +77,19 @@ def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str)
         parse_parameters(task).require_support()
 
 
+@pytest.mark.parametrize("section, laws, words", [
+    ("centrifugal_load", {}, r"\[centrifugal_load\] is not understood"),
+    ("damping", {"damping": {"viscous": 100.0}}, "viscous damping is not understood"),
+])
+def test_effects_of_which_no_other_code_is_told(bar: Bar, section: str, laws: dict[str, Any],
+                                                words: str) -> None:
+    task = beam_task(bar, 1.0, 10)
+    task["effects"] = [{"name": "beams", "reason": "[beams]"}, {"name": "x", "reason": f"[{section}]"}]
+    task["laws"] |= laws
+    with pytest.raises(PreparedError, match=words):
+        parse_parameters(task).require_support()
+
+
 def test_bodies_that_move_from_the_start(bar: Bar, tmp_path: Path) -> None:
     task = {**beam_task(bar, 1.0, 10), "initial_velocities": 1}
     refuses(bar.path, task, tmp_path, "initial velocities")
