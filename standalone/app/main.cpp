@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <unistd.h>
+
 #include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <new>
 
@@ -14,7 +17,22 @@
 #include <malloc.h>
 #endif
 
+namespace {
+
+/// Threads that wait for the next loop spin only shortly: long spinning takes the processor from
+/// whatever else runs, and from the very thread that is waited for. OpenMP reads this before main
+/// begins, so the program starts itself again.
+void wait_patiently(char** argv) {
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr) return;
+  setenv("OMP_WAIT_POLICY", "passive", 1);
+  setenv("GOMP_SPINCOUNT", "2000", 1);  // some microseconds: what a loop of a small body takes
+  execv("/proc/self/exe", argv);        // where that cannot be, all goes on as it is
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  wait_patiently(argv);
 #if defined(__GLIBC__)
   // Arrays larger than this get pages of their own, which go back to the system when they are
   // freed; left to itself glibc would soon keep them.

@@ -75,8 +75,10 @@ int run_scene(const RunCommand& command) {
                simulation.time_step().limit);
   std::fflush(stdout);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to tell, not an end
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  // All that ask a program to end: by the keyboard, by another program, as the terminal closes, and
+  // as the time that the system grants runs out.
+  for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) std::signal(signal, on_interrupt);
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup asks
   const bool completed = run(simulation, options);
   if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
     fmt::print("heat in time: {}\n", heat->integrator()->explanation());

@@ -2,6 +2,7 @@
 #include "effects/central_forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -108,7 +109,41 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
     for (std::size_t i = 0; i < specimen.size(); ++i)
       set_lanes_vector(model.data(columns::listed_position), Model::at(columns::listed_position, i),
                        specimen.position[i]);
+  if (specimen.domain.is_periodic()) count_own_images(specimen.domain);
   fill_slots();
+}
+
+void CentralForces::count_own_images(const Domain& domain) {
+  const std::vector<double>& radius = model_.specimen().radius;
+  std::array<double, 3> period{};
+  for (int axis = 0; axis < 3; ++axis)
+    period[axis] = domain.periodic[axis] ? component(domain.upper - domain.lower, axis) : 0;
+  const double reach = 2 * parameters_.range * *std::max_element(radius.begin(), radius.end());
+  const auto most = [&](int axis) {
+    return period[axis] > 0 ? static_cast<int>(reach / period[axis]) : 0;
+  };
+  own_images_.assign(radius.size(), {});
+  for (int a = -most(0); a <= most(0); ++a)
+    for (int b = -most(1); b <= most(1); ++b)
+      for (int c = -most(2); c <= most(2); ++c) {
+        const double distance = norm(Vector{a * period[0], b * period[1], c * period[2]});
+        if (!(distance > 0)) continue;
+        for (std::size_t i = 0; i < radius.size(); ++i) add_own_image(i, distance);
+      }
+}
+
+void CentralForces::add_own_image(std::size_t i, double distance) {
+  const double radii = 2 * model_.specimen().radius[i];
+  if (!(distance < parameters_.range * radii)) return;
+  const double equilibrium = are_remembered(parameters_) ? distance : radii;
+  own_images_[i].pairs += 0.5;
+  own_images_[i].potential +=
+      0.5 * std::visit(
+                [&](const auto& law) {
+                  return central_potential(law, parameters_.interpenetration,
+                                           parameters_.range * radii, distance, equilibrium);
+                },
+                parameters_.law);
 }
 
 void CentralForces::fill_slots() {
@@ -432,6 +467,11 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   for (std::size_t i = 0; i < count; ++i) {
     potential += energy[i];
     interactions += pairs[i];
+  }
+  for (std::size_t i = 0; i < own_images_.size(); ++i) {
+    if (!absent_.empty() && absent_[i] != 0) continue;
+    potential += own_images_[i].potential;
+    interactions += own_images_[i].pairs;
   }
   observation.energies.add(EnergyLedger::Kind::stored, "potential_energy", potential);
   if (parameters_.dissipation) {

@@ -84,6 +84,13 @@ class CentralForces : public Mechanics {
   /// The pair in a slot; none beyond the range.
   std::optional<Acting> acting(const Model& model, std::int32_t i, std::int32_t j, std::size_t row,
                                int lane) const;
+  /// What elements have in common with their own images. It stays as it is, and the forces cancel:
+  /// no slot is needed.
+  struct OwnImages {
+    double pairs = 0, potential = 0;
+  };
+  void count_own_images(const Domain& domain);
+  void add_own_image(std::size_t i, double distance);
   /// Lays out the slots for the elements as they were listed.
   void fill_slots();
   void search();
@@ -95,6 +102,7 @@ class CentralForces : public Mechanics {
   Model& model_;
   Neighbourhood initial_;                 ///< at the start, where distances are remembered
   std::vector<double> initial_distance_;  ///< of its entries, m
+  std::vector<OwnImages> own_images_;     ///< of each element; empty where nothing is periodic
   std::vector<char> absent_;              ///< elements taken out; empty: none
   double skin_ = 0;                       ///< m
   double depth_ = 0;                      ///< of the deepest well at the start, J

@@ -2,6 +2,7 @@
 #include "effects/heat_places.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "keys/rules.hpp"
 #include "model/error.hpp"
@@ -46,6 +47,37 @@ std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::strin
                      " for one; expected a larger region, [bonds] tolerance = 0.05, or law = "
                      "\"voronoi\"");
   return elements;
+}
+
+std::vector<double> which_conduct(const Assembly& assembly) {
+  std::vector<double> conduct;
+  for (const int neighbours : assembly.model.conductors().coordination())
+    conduct.push_back(neighbours > 0 ? 1 : 0);
+  return conduct;
+}
+
+std::vector<CellSolid> heat_solids(const Assembly& assembly, const Vector& lower,
+                                   const Vector& upper) {
+  const Specimen& specimen = assembly.specimen();
+  if (has_cells(specimen)) return cell_solids(specimen, lower, upper);
+  std::vector<CellSolid> balls;
+  for (std::size_t i = 0; i < specimen.size(); ++i)
+    balls.push_back({static_cast<std::int32_t>(i),
+                     ball_of_facets(specimen.position[i], assembly.geometry.volume[i])});
+  return balls;
+}
+
+void check_images(const Assembly& assembly, const std::string& what, const HeatedPart& part) {
+  const Domain& domain = assembly.specimen().domain;
+  for (int k = 0; k < 3; ++k) {
+    const double length = component(part.bounds.second - part.bounds.first, k);
+    const double period = component(domain.upper - domain.lower, k);
+    if (domain.periodic[k] && length > period && !std::isinf(length))
+      throw InputError(what + " is " + text(length) + " m long along " + "xyz"[k] +
+                       ", where the body repeats every " + text(period) +
+                       " m, so that it would overlap its own image; expected " + text(period) +
+                       " m at most, or a cylinder without length along that axis");
+  }
 }
 
 Rule wall(std::string& target) {

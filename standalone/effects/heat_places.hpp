@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "effects/assembly.hpp"
+#include "effects/heat_spread.hpp"
 #include "keys/section.hpp"
 
 namespace solidem {
@@ -21,6 +22,17 @@ std::vector<WallFace> faces_of(const Assembly& assembly, const std::string& sect
 /// none of them conducts.
 std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::string& selection,
                                             const Region& region);
+
+/// 1 for each element that can pass heat on, 0 for the others.
+std::vector<double> which_conduct(const Assembly& assembly);
+
+/// What elements are made of where a shape heats them, as far as it meets the box between two
+/// corners: their cells; where the body has no outline, balls of the volumes that they stand for.
+std::vector<CellSolid> heat_solids(const Assembly& assembly, const Vector& lower,
+                                   const Vector& upper);
+
+/// Refuses a part that overlaps its own images in a periodic body.
+void check_images(const Assembly& assembly, const std::string& what, const HeatedPart& part);
 
 /// The name of a wall.
 Rule wall(std::string& target);

@@ -1,55 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "effects/heat_source.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "effects/effect_kind.hpp"
 #include "effects/heat_places.hpp"
+#include "effects/moving_shape.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"
 
 namespace solidem {
 
-HeatSource::HeatSource(const HeatSourceParameters& parameters,
-                       const std::vector<std::int32_t>& elements, std::vector<double> volume,
-                       const Specimen& specimen)
+HeatSource::HeatSource(const HeatSourceParameters& parameters, std::vector<ElementValue> fixed)
     : HeatLoad("heat_source." + parameters.name),
       parameters_(parameters),
-      volume_(std::move(volume)),
-      centre_(specimen.position.data()) {
-  for (const std::int32_t e : elements) fixed_.push_back({e, volume_[static_cast<std::size_t>(e)]});
-  if (!parameters_.shape) {
-    volume_ = {};  // a region is known once and for all
-    return;
-  }
-  constexpr double pi = 3.14159265358979323846;
-  double largest = 0;
-  for (const double v : volume_) {
-    radius_.push_back(std::cbrt(0.75 * v / pi));
-    largest = std::max(largest, radius_.back());
-  }
-  const auto [lower, upper] = parameters_.shape->bounds();
-  lower_ = lower - Vector{largest, largest, largest};
-  upper_ = upper + Vector{largest, largest, largest};
-}
+      fixed_(std::move(fixed)) {}
+
+HeatSource::HeatSource(const HeatSourceParameters& parameters, std::unique_ptr<HeatSpread> spread)
+    : HeatLoad("heat_source." + parameters.name),
+      parameters_(parameters),
+      spread_(std::move(spread)) {}
+
+HeatSource::~HeatSource() = default;
 
 void HeatSource::heated(double time, std::vector<ElementValue>& volumes) const {
-  if (!parameters_.shape) {
+  if (spread_ != nullptr)
+    spread_->at(time, volumes);
+  else
     volumes.insert(volumes.end(), fixed_.begin(), fixed_.end());
-    return;
-  }
-  const Vector position{parameters_.position[0](time), parameters_.position[1](time),
-                        parameters_.position[2](time)};
-  for (std::size_t i = 0; i < volume_.size(); ++i) {
-    const Vector p = centre_[i] - position;
-    if (!(volume_[i] > 0) || p.x < lower_.x || p.x > upper_.x || p.y < lower_.y || p.y > upper_.y ||
-        p.z < lower_.z || p.z > upper_.z)
-      continue;
-    const double fraction =
-        fraction_inside(parameters_.shape->signed_distance(p, radius_[i]) / radius_[i]);
-    if (fraction > 0) volumes.push_back({static_cast<std::int32_t>(i), fraction * volume_[i]});
-  }
 }
 
 void HeatSource::powers(double time, const double* /*temperature*/,
@@ -72,9 +48,7 @@ bool HeatSource::reaches(double time) const {
 }
 
 bool HeatSource::is_steady() const {
-  const bool rests = std::all_of(parameters_.position.begin(), parameters_.position.end(),
-                                 [](const TimeFunction& f) { return f.is_constant(); });
-  return parameters_.power.is_constant() && (parameters_.region || rests);
+  return parameters_.power.is_constant() && (spread_ == nullptr || spread_->rests());
 }
 
 void HeatSource::start(const Model& model, double duration) {
@@ -89,116 +63,77 @@ void HeatSource::start(const Model& model, double duration) {
 
 namespace {
 
-Shape::Part read_part(const Value& value) {
-  using Kind = Shape::Kind;
-  const Section section(value);
-  Shape::Part part;
-  const Key kind = must_have("kind", choice<Kind>(part.kind, {{"sphere", Kind::sphere},
-                                                              {"cylinder", Kind::cylinder},
-                                                              {"box", Kind::box}}));
-  section.read_one(kind);
-  std::vector<Key> keys = {kind, may_have("offset", vector(part.offset, dimension::length)),
-                           may_have("cut_out", flag(part.is_cut_out))};
-  const Key radius = must_have("radius", quantity(part.radius, dimension::length, positive));
-  if (part.kind == Kind::box) {
-    keys.push_back(must_have("size", vector(part.size, dimension::length, positive)));
-  } else {
-    keys.push_back(radius);
-  }
-  if (part.kind == Kind::cylinder) {
-    keys.push_back(may_have("axis", axis(part.axis)));
-    keys.push_back(may_have("length", quantity(part.length, dimension::length, positive)));
-  }
-  section.read(keys, "a shape of this kind");
-  return part;
-}
-
-Rule shape(std::optional<Shape>& target) {
-  const std::string expected =
-      "{ kind = \"sphere\", \"cylinder\" or \"box\", ... }, or an array of these";
-  return {expected, [&target, expected](const Value& value) {
-            Shape read;
-            if (value.node().is_table()) {
-              read.parts.push_back(read_part(value));
-            } else {
-              for (const Value& entry : value.entries(-1, expected))
-                read.parts.push_back(read_part(entry));
-              if (read.parts.empty()) value.refuse("empty", expected);
-              if (read.parts.front().is_cut_out)
-                value.refuse("begins with a cut-out", "a solid before what is cut out of it");
-            }
-            target = read;
-          }};
-}
-
-/// A path that starts at a place and goes on straight at a velocity.
-std::array<TimeFunction, 3> straight(const Vector& start, const Vector& velocity) {
-  // A table that ends so late (30 years) that no run comes there.
-  constexpr double late = 1e9;
-  std::array<TimeFunction, 3> path;
-  for (int k = 0; k < 3; ++k) {
-    const double from = component(start, k), speed = component(velocity, k);
-    path[static_cast<std::size_t>(k)] = speed == 0
-                                            ? TimeFunction::constant(from)
-                                            : TimeFunction{{0, late}, {from, from + speed * late}};
-  }
-  return path;
-}
-
 /// A source as it is read: where it starts and how it moves become its path.
 struct ReadSource {
   HeatSourceParameters source;
   Region region;
-  Vector centre{}, velocity{};
+  ReadPath path;
 };
 
 std::vector<Key> source_keys(ReadSource& p, Reading& reading) {
-  const Rule path = {"a table {time, position}",
-                     [&p](const Value& value) { p.source.position = read_path(Section(value)); }};
-  return {must_have("name", name(p.source.name, reading.taken)).means("names its columns"),
-          may_have("power_density", function(p.source.power, dimension::power_density))
-              .without("either this"),
-          may_have("power", function(p.source.power, dimension::power))
-              .means("of the whole source")
-              .without("or this"),
-          may_have("region", region(p.region, reading.regions)).without("either this"),
-          may_have("shape", shape(p.source.shape))
-              .means("around the source's centre")
-              .without("or this"),
-          may_have("centre", vector(p.centre, dimension::length))
-              .means("of the shape, at the start")
-              .without("needed with a shape, or a path"),
-          may_have("velocity", vector(p.velocity, dimension::velocity)).without("zero"),
-          may_have("path", path)
-              .means("of the shape's centre, linear between the times, held outside")
-              .without("or this")};
+  std::vector<Key> keys{
+      must_have("name", name(p.source.name, reading.taken)).means("names its columns"),
+      may_have("power_density", function(p.source.power, dimension::power_density))
+          .without("either this"),
+      may_have("power", function(p.source.power, dimension::power))
+          .means("of the whole source, into what of it lies in the body")
+          .without("or this"),
+      may_have("region", region(p.region, reading.regions)).without("either this"),
+      may_have("shape", shape(p.source.shape))
+          .means("around the source's centre")
+          .without("or this")};
+  for (const Key& key : path_keys(p.path)) keys.push_back(key);
+  return keys;
 }
 
 void finish_source(const Section& section, ReadSource& p) {
   section.exactly_one_of({"power_density", "power"});
   section.exactly_one_of({"region", "shape"});
   p.source.is_density = section.has("power_density");
-  if (section.has("region")) {
-    p.source.region = p.region;
-    for (const char* key : {"centre", "velocity", "path"})
-      if (section.has(key)) section.refuse(key, "a region stays where it is", "a shape beside it");
+  if (!section.has("region")) {
+    p.source.position = finish_path(section, p.path);
     return;
   }
-  section.exactly_one_of({"centre", "path"});
-  section.at_most_one_of({"velocity", "path"});
-  if (!section.has("path")) p.source.position = straight(p.centre, p.velocity);
+  p.source.region = p.region;
+  for (const std::string& key : path_key_names())
+    if (section.has(key)) section.refuse(key, "a region stays where it is", "a shape beside it");
+}
+
+/// What the elements of a region stand for.
+std::vector<ElementValue> volumes_of(const HeatSourceParameters& source, Assembly& assembly) {
+  std::vector<ElementValue> volumes;
+  const std::vector<double> takes = which_conduct(assembly);
+  for (const std::int32_t e :
+       select_conducting(assembly, "heat_source." + source.name, *source.region)) {
+    const auto i = static_cast<std::size_t>(e);
+    volumes.push_back({e, takes[i] * assembly.geometry.volume[i]});
+  }
+  return volumes;
+}
+
+/// A source heats as much of what an element stands for as of its cell lies inside.
+std::unique_ptr<HeatSpread> spread_of(const HeatSourceParameters& source, Assembly& assembly) {
+  const Shape& shape = *source.shape;
+  HeatedPart part{shape.bounds(), shape.smallest_extent(),
+                  [shape](const Polyhedron& solid, const Vector& position) {
+                    return volume_inside(solid, shape, position);
+                  }};
+  check_images(assembly, "[[heat_sources]] \"" + source.name + "\": shape", part);
+  const Domain& domain = assembly.specimen().domain;
+  const auto [lower, upper] = HeatSpread::swept(part, source.position, domain);
+  std::vector<CellSolid> solids = heat_solids(assembly, lower, upper);
+  std::vector<double> cell(assembly.model.elements(), 0.0), share = which_conduct(assembly);
+  for (const CellSolid& of : solids)
+    cell[static_cast<std::size_t>(of.element)] += (of.is_in_hole ? -1 : 1) * volume(of.solid);
+  for (std::size_t i = 0; i < share.size(); ++i)
+    if (cell[i] > 0) share[i] *= assembly.geometry.volume[i] / cell[i];
+  return std::make_unique<HeatSpread>(std::move(solids), std::move(part), source.position,
+                                      std::move(share), assembly.specimen());
 }
 
 std::unique_ptr<Effect> make_source(const HeatSourceParameters& source, Assembly& assembly) {
-  std::vector<std::int32_t> elements;
-  if (source.region)
-    elements = select_conducting(assembly, "heat_source." + source.name, *source.region);
-  // What no heat could leave again takes none: it would only grow hotter and hotter.
-  std::vector<double> volume = assembly.geometry.volume;
-  const std::vector<int> neighbours = assembly.model.conductors().coordination();
-  for (std::size_t i = 0; i < neighbours.size(); ++i)
-    if (neighbours[i] == 0) volume[i] = 0;
-  return std::make_unique<HeatSource>(source, elements, std::move(volume), assembly.specimen());
+  if (source.region) return std::make_unique<HeatSource>(source, volumes_of(source, assembly));
+  return std::make_unique<HeatSource>(source, spread_of(source, assembly));
 }
 
 void plan_sources(const Setup& setup, Plan& plan) {

@@ -2,22 +2,25 @@
 #ifndef SOLIDEM_EFFECTS_HEAT_SOURCE_HPP
 #define SOLIDEM_EFFECTS_HEAT_SOURCE_HPP
 
+#include <memory>
 #include <vector>
 
 #include "effects/heat_load.hpp"
+#include "effects/heat_spread.hpp"
 #include "effects/parameters.hpp"
 
 namespace solidem {
 
 /// Heat that arises in the elements of a region, or in a shape that may move. An element on the
-/// surface of a shape takes the share that lies inside of a ball of its volume, so that the heat
-/// does not jump when the shape passes over it.
+/// surface of a shape is heated as far as its cell lies inside, so that the heat is that of the
+/// shape and does not jump when it passes over the element.
 class HeatSource : public HeatLoad {
  public:
-  /// `elements`: of the region, if it has one. `volume`: that each element stands for, m³;
-  /// one that stands for none takes no heat.
-  HeatSource(const HeatSourceParameters& parameters, const std::vector<std::int32_t>& elements,
-             std::vector<double> volume, const Specimen& specimen);
+  /// Of a region: the volume that each of its elements is heated in, m³.
+  HeatSource(const HeatSourceParameters& parameters, std::vector<ElementValue> fixed);
+  /// Of a shape: its volume shared among elements.
+  HeatSource(const HeatSourceParameters& parameters, std::unique_ptr<HeatSpread> spread);
+  ~HeatSource() override;
 
   void powers(double time, const double* temperature,
               std::vector<ElementValue>& powers) const override;
@@ -35,10 +38,8 @@ class HeatSource : public HeatLoad {
   void heated(double time, std::vector<ElementValue>& volumes) const;
 
   HeatSourceParameters parameters_;
-  std::vector<ElementValue> fixed_;  ///< heated volumes of a region
-  std::vector<double> volume_, radius_;
-  const Vector* centre_;  ///< of the specimen, which outlives every effect
-  Vector lower_, upper_;  ///< box round the shape and an element, at its origin, m
+  std::vector<ElementValue> fixed_;     ///< heated volumes of a region
+  std::unique_ptr<HeatSpread> spread_;  ///< of a shape
 };
 
 }  // namespace solidem

@@ -175,11 +175,15 @@ struct ImposedTemperatureParameters {
   std::string wall{};        ///< if given, of this wall, and not of the elements of a region
 };
 
-/// Heat that flows into the body through a wall.
+/// Heat that flows into the body through a wall, or through a part of it that may move.
 struct HeatFluxParameters {
   std::string name;
   std::string wall;
-  TimeFunction flux;  ///< W/m²
+  TimeFunction flux;                       ///< W/m², or W in all
+  bool is_power = false;                   ///< `flux` is in W
+  std::optional<Shape> shape{};            ///< around its origin: the part of the wall inside
+  std::optional<double> spot_radius{};     ///< of a Gaussian spot: where it has fallen to 1/e², m
+  std::array<TimeFunction, 3> position{};  ///< of the shape's origin or the spot's centre, m
 };
 
 /// Heat exchanged with a fluid along a wall.

@@ -2,8 +2,10 @@
 #include "engine/gauge.hpp"
 
 #include <algorithm>
+#include <Eigen/QR>
 #include <string>
 
+#include "effects/gauge_check.hpp"
 #include "model/error.hpp"
 
 namespace solidem {
@@ -13,6 +15,7 @@ GaugeSection::GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& 
     : gauge_(gauge),
       mechanics_(mechanics),
       cross_section_(model.specimen().domain.cross_section(gauge.axis)) {
+  check_gauge(gauge, model.specimen().domain);
   for (const std::int32_t e : component_elements) {
     const double along =
         component(model.specimen().position[static_cast<std::size_t>(e)], gauge.axis);
@@ -21,29 +24,38 @@ GaugeSection::GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& 
   if (elements_.size() < 10)
     throw InputError("[gauge] holds " + std::to_string(elements_.size()) +
                      " elements; widen lower … upper until it holds 10 or more");
+  fit_places(model.specimen());
 }
 
-double GaugeSection::slope(const Model& model, int axis) const {
+void GaugeSection::fit_places(const Specimen& specimen) {
+  const auto count = static_cast<Eigen::Index>(elements_.size());
+  Eigen::MatrixXd place(count, 3);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Vector& p =
+        specimen.position[static_cast<std::size_t>(elements_[static_cast<std::size_t>(k)])];
+    place.row(k) = Eigen::RowVector3d(p.x, p.y, p.z);
+  }
+  const Eigen::RowVector3d mean = place.colwise().mean();
+  place.rowwise() -= mean;
+  // The minimal solution also where the elements lie in a plane or on a line.
+  const Eigen::Matrix3d square = place.transpose() * place;
+  const Eigen::MatrixXd weights =
+      square.completeOrthogonalDecomposition().solve(Eigen::MatrixXd(place.transpose()));
+  weight_.clear();
+  for (Eigen::Index k = 0; k < count; ++k)
+    weight_.push_back({weights(0, k), weights(1, k), weights(2, k)});
+}
+
+Vector GaugeSection::strains(const Model& model) const {
   const auto positions = model.positions();
-  double mean_place = 0, mean_shift = 0;
-  for (const std::int32_t e : elements_) {
-    const auto i = static_cast<std::size_t>(e);
-    const double place = component(model.specimen().position[i], axis);
-    mean_place += place;
-    mean_shift += positions[i][axis] - place;
+  Vector line[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // what lines along x, y and z have become
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const auto i = static_cast<std::size_t>(elements_[k]);
+    const Vector& p = model.specimen().position[i];
+    const Vector shift{positions[i][0] - p.x, positions[i][1] - p.y, positions[i][2] - p.z};
+    for (int axis = 0; axis < 3; ++axis) line[axis] += component(weight_[k], axis) * shift;
   }
-  const auto count = static_cast<double>(elements_.size());
-  mean_place /= count;
-  mean_shift /= count;
-  double covariance = 0, variance = 0;
-  for (const std::int32_t e : elements_) {
-    const auto i = static_cast<std::size_t>(e);
-    const double place = component(model.specimen().position[i], axis);
-    const double shift = positions[i][axis] - place;
-    covariance += (place - mean_place) * (shift - mean_shift);
-    variance += (place - mean_place) * (place - mean_place);
-  }
-  return covariance / variance;
+  return {norm(line[0]) - 1, norm(line[1]) - 1, norm(line[2]) - 1};
 }
 
 void GaugeSection::observe(const Model& model, Observation& observation) const {
@@ -59,10 +71,11 @@ void GaugeSection::observe(const Model& model, Observation& observation) const {
     tension += (along > 0 ? pull : -pull) * (high - low);
   });
   const double stress = tension / (gauge_.upper - gauge_.lower) / cross_section_;
+  const Vector strain = strains(model);
   const double lateral =
-      0.5 * (slope(model, (gauge_.axis + 1) % 3) + slope(model, (gauge_.axis + 2) % 3));
+      0.5 * (component(strain, (gauge_.axis + 1) % 3) + component(strain, (gauge_.axis + 2) % 3));
   observation.add("gauge.stress", stress);
-  observation.add("gauge.strain", slope(model, gauge_.axis));
+  observation.add("gauge.strain", component(strain, gauge_.axis));
   observation.add("gauge.lateral_strain", lateral);
 }
 

@@ -11,13 +11,15 @@ namespace solidem {
 
 /// Engineering stress and strain of a section between two planes.
 /// Stress: the force of neighbours across a plane normal to the axis, averaged over all planes of
-/// the section, over the cross-section at rest. Strain: slope of the least-squares line through the
-/// displacements of the section's elements against their place at rest; lateral strain likewise,
-/// mean of both directions. Only elements of the largest bonded component count.
+/// the section, over the cross-section at rest. Strain: of F = 1 + the gradient of the displacement
+/// that fits the section's elements best (least squares, all nine components at once), the stretch
+/// of a line along the axis, |F e| − 1, so that a rotation strains nothing; lateral strain
+/// likewise, mean of both directions. Only elements of the largest bonded component count.
 class GaugeSection : public Observer {
  public:
   /// `component`: elements of the largest bonded component. Throws InputError when fewer than 10 of
-  /// them lie in the section.
+  /// them lie in the section, when it reaches beyond the body, or when the body is periodic along
+  /// its axis.
   GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& component,
                const Mechanics& mechanics, const Model& model);
   void observe(const Model& model, Observation& observation) const override;
@@ -25,12 +27,15 @@ class GaugeSection : public Observer {
   const std::vector<std::int32_t>& elements() const { return elements_; }
 
  private:
-  double slope(const Model& model, int axis) const;
+  /// Stretches of lines along x, y and z, less 1.
+  Vector strains(const Model& model) const;
+  void fit_places(const Specimen& specimen);
 
   Gauge gauge_;
   const Mechanics& mechanics_;
   double cross_section_;
   std::vector<std::int32_t> elements_;
+  std::vector<Vector> weight_;  ///< of each element's displacement: they sum to the gradient
 };
 
 }  // namespace solidem

@@ -2,10 +2,10 @@
 #include "engine/heat.hpp"
 
 #include "effects/selections.hpp"
-#include "solve/heat/heated_model.hpp"
 #include "model/error.hpp"
-#include "solve/heat/heat_integrator.hpp"
 #include "solve/calibration/relative_conductivity.hpp"
+#include "solve/heat/heat_integrator.hpp"
+#include "solve/heat/heated_model.hpp"
 
 namespace solidem {
 
@@ -82,6 +82,17 @@ void Heat::advance(const Step& step) {
   std::vector<double> heat(heated_->accounts(), 0.0);
   integrator_->advance(*heated_, step.time, step.time_step, temperature, heat.data());
   heated_->count(before, heat);
+}
+
+void Heat::check(std::int64_t step, double time) const {
+  const double* temperature = model_.data(columns::temperature);
+  for (std::size_t i = 0; i < model_.elements(); ++i)
+    if (!(temperature[i] >= 0))
+      throw RunError("the temperature of " + place(model_.specimen(), i) + " is " +
+                     text(temperature[i]) + " K at step " + std::to_string(step) + " (time " +
+                     text(time) +
+                     " s), below absolute zero; look for a heat load that takes more than there "
+                     "is, or take a smaller time step");
 }
 
 }  // namespace solidem

@@ -45,6 +45,9 @@ class Heat {
   /// Makes a time step; the temperatures after it are those of the model.
   void advance(const Step& step);
 
+  /// Throws RunError where a temperature is below absolute zero, or no number.
+  void check(std::int64_t step, double time) const;
+
   /// None where conduction takes explicit steps by itself.
   HeatIntegrator* integrator() const { return integrator_.get(); }
 

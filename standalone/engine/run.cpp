@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "effects/beams.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
+#include "engine/interrupt_watch.hpp"
 #include "model/error.hpp"
 #include "output/checkpoint.hpp"
 #include "output/disk.hpp"
@@ -70,10 +73,37 @@ std::int64_t next_multiple(std::int64_t step, std::int64_t interval) {
   return (step / interval + 1) * interval;
 }
 
+/// When frames are written: so many in a run, evenly, the last at its end.
+class FrameSteps {
+ public:
+  FrameSteps(std::int64_t frames, std::int64_t last)
+      : frames_(std::min(frames, last)), last_(last) {}
+
+  /// The first one after a step; beyond the end: there is none.
+  std::int64_t after(std::int64_t step) const {
+    if (frames_ == 0 || step >= last_) return last_ + 1;
+    const double passed = static_cast<double>(step) / static_cast<double>(last_);
+    auto n = std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(passed * static_cast<double>(frames_)) - 1);
+    while (step_of(n) <= step) ++n;
+    return step_of(n);
+  }
+
+ private:
+  std::int64_t step_of(std::int64_t n) const {
+    return last_ / frames_ * n + last_ % frames_ * n / frames_;
+  }
+
+  std::int64_t frames_, last_;
+};
+
 class Recorder {
  public:
   Recorder(Simulation& simulation, const RunOptions& options)
-      : simulation_(simulation), options_(options), seconds_(options.wall_seconds) {
+      : simulation_(simulation),
+        options_(options),
+        seconds_(options.wall_seconds),
+        watch_(options.interrupted, [this] { end_from_kept(); }) {
     prepare_directory(options.directory);
     // Bonds are drawn where they carry loads, those that have broken as well; without motion their
     // list is not worth its memory.
@@ -89,8 +119,7 @@ class Recorder {
     const std::int64_t observe_every =
         simulation_.setup().run.observe_every.value_or(std::max<std::int64_t>(1, last / 200));
     const std::int64_t frames = simulation_.setup().output.frames;
-    const std::int64_t frame_every =
-        frames > 0 ? std::max<std::int64_t>(1, last / frames) : last + 1;
+    const FrameSteps frame_steps(frames, last);
     const std::int64_t checkpoint_every = simulation_.setup().output.checkpoint_every > 0
                                               ? simulation_.setup().output.checkpoint_every
                                               : last + 1;
@@ -102,20 +131,15 @@ class Recorder {
     ProgressBar progress(
         first_step_, last,
         options_.quiet ? ProgressBar::Style::quiet : ProgressBar::style_for(stderr));
-    // Short strides, so that an interrupt is answered and the bar moves.
-    constexpr std::int64_t stride = 64;
     try {
       while (simulation_.step() < last && !interrupted()) {
-        const std::int64_t now = simulation_.step();
+        const std::int64_t now = simulation_.step(), frame = frame_steps.after(now);
         const std::int64_t target =
-            std::min({last, now + stride, next_multiple(now, observe_every),
-                      next_multiple(now, frame_every), next_multiple(now, checkpoint_every)});
-        {
-          const Phase phase(seconds_["steps"]);
-          simulation_.advance(target - now);
-        }
+            std::min({last, now + stride(), next_multiple(now, observe_every), frame,
+                      next_multiple(now, checkpoint_every)});
+        advance(target - now);
         if (target % observe_every == 0 || target == last) write_row();
-        if (target % frame_every == 0) write_frame();
+        if (target == frame) write_frame();
         if (target % checkpoint_every == 0) write_checkpoint();
         progress.update(target);
       }
@@ -131,6 +155,48 @@ class Recorder {
   }
 
  private:
+  /// What a long step that is interrupted goes back to.
+  struct Kept {
+    std::int64_t step;
+    double time;
+    std::map<std::string, std::vector<double>> state;
+    nlohmann::ordered_json summary;
+  };
+
+  /// Strides are short, so that an interrupt is answered and the bar moves.
+  std::int64_t stride() const {
+    constexpr double longest = 0.3, most = 64;  // s, steps
+    return static_cast<std::int64_t>(std::clamp(longest / seconds_per_step_, 1.0, most));
+  }
+
+  void advance(std::int64_t steps) {
+    constexpr double is_long = 0.2;  // s
+    kept_.reset();
+    if (seconds_per_step_ > is_long)
+      kept_ = Kept{simulation_.step(), simulation_.time(), simulation_.save(),
+                   summary_of(false, "interrupted")};
+    const Phase phase(seconds_["steps"]);
+    const auto start = Clock::now();
+    watch_.while_busy([&] { simulation_.advance(steps); });
+    seconds_per_step_ =
+        std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(steps);
+  }
+
+  /// Ends the program within a long step, from what was kept before it.
+  void end_from_kept() {
+    if (!kept_) return;
+    try {
+      write_checkpoint(kept_->step, kept_->time, kept_->state);
+      write_summary(path("summary.json"), kept_->summary);
+      std::printf("\ninterrupted within the step after %lld; go on with --resume\n",
+                  static_cast<long long>(kept_->step));
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "error: %s\n", error.what());
+    }
+    std::fflush(nullptr);
+    std::_Exit(130);  // the other thread is in the middle of a step
+  }
+
   bool interrupted() const { return options_.interrupted != nullptr && *options_.interrupted; }
   std::string path(const char* file) const { return options_.directory + "/" + file; }
 
@@ -195,15 +261,24 @@ class Recorder {
 
   void write_checkpoint() {
     const Phase phase(seconds_["output"]);
-    solidem::write_checkpoint(path("checkpoint.h5"),
-                              {simulation_.step(), simulation_.time(), options_.fingerprint},
+    simulation_.check();  // what has diverged must not take the place of what has not
+    write_checkpoint(simulation_.step(), simulation_.time(), simulation_.save());
+  }
+
+  void write_checkpoint(std::int64_t step, double time,
+                        const std::map<std::string, std::vector<double>>& state) {
+    solidem::write_checkpoint(path("checkpoint.h5"), {step, time, options_.fingerprint},
                               [&](const CheckpointContents& contents) {
-                                for (const auto& [name, values] : simulation_.save())
+                                for (const auto& [name, values] : state)
                                   contents.write(name, values);
                               });
   }
 
   void summarise(bool completed, const std::string& reason) {
+    write_summary(path("summary.json"), summary_of(completed, reason));
+  }
+
+  nlohmann::ordered_json summary_of(bool completed, const std::string& reason) {
     const Model& model = simulation_.model();
     const std::int64_t steps = simulation_.step() - first_step_;
     const auto bond_steps = static_cast<double>(model.slots().bonds()) * static_cast<double>(steps);
@@ -244,7 +319,7 @@ class Recorder {
     summary["instruction_set"] = kernels().instruction_set;
     summary["hardware"] = to_json(hardware());
     for (const auto& [name, value] : last_row_.values) summary["final"][name] = value;
-    write_summary(path("summary.json"), summary);
+    return summary;
   }
 
   Simulation& simulation_;
@@ -255,6 +330,9 @@ class Recorder {
   HistoryRow last_row_{};
   std::optional<HistoryWriter> history_;
   std::optional<TrajectoryWriter> trajectory_;
+  double seconds_per_step_ = 1;  ///< of the last ones; at first as if they were long
+  std::optional<Kept> kept_;
+  InterruptWatch watch_;
 };
 
 }  // namespace

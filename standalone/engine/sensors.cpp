@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <Eigen/QR>
+#include <limits>
+
+#include "effects/selections.hpp"
+#include "model/error.hpp"
 
 namespace solidem {
 
@@ -27,6 +31,21 @@ std::int32_t nearest_of(const std::vector<std::int32_t>& elements, const Specime
   return *std::min_element(elements.begin(), elements.end(), [&](std::int32_t a, std::int32_t b) {
     return distance(a) < distance(b);
   });
+}
+
+/// Refuses a point that is far from all elements.
+void check_point(const Sensor& sensor, const Specimen& specimen) {
+  constexpr double far = 3;  // mean radii from the nearest surface: wider than any gap in a packing
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < specimen.size(); ++i)
+    gap = std::min(gap, norm(specimen.position[i] - sensor.point) - specimen.radius[i]);
+  if (gap <= far * mean_radius(specimen)) return;
+  const Vector& p = sensor.point;
+  throw InputError("[[sensors]] \"" + sensor.name + "\": point (" + text(p.x) + ", " + text(p.y) +
+                   ", " + text(p.z) + ") m is " + text(gap) +
+                   " m away from the nearest element; expected a point of the body, which lies "
+                   "between " +
+                   bounds(specimen));
 }
 
 /// Weights of some elements round a point whose weighted sum of values is the value there of a
@@ -66,6 +85,7 @@ std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
 
 PointSensor::PointSensor(const Sensor& sensor, const Model& model)
     : sensor_(sensor), element_(nearest_element(model.specimen(), sensor.point)) {
+  check_point(sensor, model.specimen());
   if (sensor.quantity != Sensor::Quantity::temperature) return;
   const std::vector<std::int32_t> elements = conducting_elements(model);
   element_ = nearest_of(elements, model.specimen(), sensor.point);

@@ -27,6 +27,8 @@ namespace {
 constexpr double default_ratio = 0.3;
 constexpr double default_rows = 200;
 constexpr std::int64_t check_every = 256;  // steps between two looks at the energy
+constexpr double most_steps = 1e15;        // that a double counts exactly
+constexpr double same_length = 1e-9;       // of a step: less is round-off
 
 /// Figures by which a checkpoint knows the specimen that it was made of.
 std::vector<double> marks_of(const Model& model) {
@@ -81,7 +83,8 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
                                    of_phase(Phase::heat), model_);
   add_observers();
   choose_time_step(force);
-  const double duration = static_cast<double>(steps_to_run()) * time_step_.value;
+  const double duration =
+      setup_.run.duration.value_or(static_cast<double>(steps_to_run()) * time_step_.value);
   for (const auto& effect : effects_) effect->start(model_, duration);
   if (heat_ != nullptr) heat_->start();
   record_initial_energy();
@@ -185,8 +188,7 @@ void Simulation::choose_time_step(bool force) {
   if (explicit_heat) choice.limit = std::min(choice.limit, heat_->limit());
   const RunControl& run = setup_.run;
   // Heat that is not bound by stability takes as many steps as the history has rows.
-  const bool free_steps = heat_ != nullptr && !explicit_heat && mechanics_ == nullptr;
-  const double by_default = free_steps && run.duration && !run.time_step_ratio
+  const double by_default = step_follows_duration()
                                 ? *run.duration / default_rows
                                 : run.time_step_ratio.value_or(default_ratio) * choice.bound;
   choice.value = run.time_step.value_or(by_default);
@@ -199,12 +201,54 @@ void Simulation::choose_time_step(bool force) {
     throw InputError("[run] time step " + text(choice.value) + " s is beyond the stable limit " +
                      text(choice.limit) + " s (" + choice.criterion + ": " + text(choice.bound) +
                      " s); take a smaller one, or --force it");
+  check_number_of_steps();
+}
+
+bool Simulation::step_follows_duration() const {
+  const RunControl& run = setup_.run;
+  return heat_ != nullptr && !heat_->takes_explicit_steps() && mechanics_ == nullptr &&
+         run.duration && !run.time_step && !run.time_step_ratio;
+}
+
+void Simulation::check_number_of_steps() const {
+  const RunControl& run = setup_.run;
+  const double steps =
+      run.steps ? static_cast<double>(*run.steps) : run.duration.value_or(0) / time_step_.value;
+  if (steps <= most_steps) return;
+  throw InputError((run.steps ? "[run] steps = " + std::to_string(*run.steps)
+                              : "[run] duration = " + text(*run.duration) + " s takes " +
+                                    text(steps) + " steps of " + text(time_step_.value) + " s") +
+                   ": more than can be counted; expected at most " + text(most_steps) + " steps");
 }
 
 std::int64_t Simulation::steps_to_run() const {
   if (setup_.run.steps) return *setup_.run.steps;
-  return static_cast<std::int64_t>(
-      std::ceil(setup_.run.duration.value_or(0) / time_step_.value * (1 - 1e-12)));
+  const double left = setup_.run.duration.value_or(0) - origin_time_;
+  return origin_step_ + static_cast<std::int64_t>(std::ceil(
+                            std::max(0.0, left / time_step_.value * (1 - 1e-12) - same_length)));
+}
+
+double Simulation::next_length() const {
+  const double dt = time_step_.value;
+  if (!setup_.run.duration) return dt;
+  const double left = *setup_.run.duration - time_;
+  return left > same_length * dt && left < (1 - same_length) * dt ? left : dt;
+}
+
+void Simulation::finish_step(double length) {
+  ++step_;
+  last_length_ = length;
+  if (length == time_step_.value) {
+    time_ = origin_time_ + static_cast<double>(step_ - origin_step_) * length;
+    return;
+  }
+  origin_step_ = step_;
+  origin_time_ = time_ = *setup_.run.duration;
+}
+
+void Simulation::check() {
+  if (mechanics_ != nullptr) check_energy_bound();
+  if (heat_ != nullptr) heat_->check(step_, time_);
 }
 
 void Simulation::check_energy_bound() {
@@ -254,10 +298,11 @@ void Simulation::advance(std::int64_t steps) {
   // Whatever moves when the first step begins was put there.
   if (step_ == 0 && steps > 0 && mechanics_ != nullptr) record_initial_energy();
   for (std::int64_t n = 0; n < steps; ++n) {
-    if (mechanics_ != nullptr && step_ % check_every == 0) check_energy_bound();
-    const double dt = time_step_.value;
-    step_once({time(), dt, step_ == 0 ? 0.5 * dt : dt});
-    ++step_;
+    if (step_ % check_every == 0) check();
+    const double length = next_length();
+    // Velocities go from the middle of one step to the middle of the next.
+    step_once({time_, length, 0.5 * (last_length_ + length)});
+    finish_step(length);
   }
 }
 
@@ -268,7 +313,7 @@ HistoryRow Simulation::observe() const {
 
 HistoryRow Simulation::observe(Observation& observation) const {
   observation.time = time();
-  observation.behind = step_ == 0 ? 0 : 0.5 * time_step_.value;
+  observation.behind = 0.5 * last_length_;
   if (mechanics_ != nullptr)
     observation.energies.add(EnergyLedger::Kind::input, "external_work", 0);
   for (const auto& effect : effects_) effect->observe(model_, observation);
@@ -322,6 +367,7 @@ std::map<std::string, std::vector<double>> Simulation::save() const {
   saved["initial_energy"] = {initial_energy_};
   saved["largest_work"] = {largest_work_};
   saved["time_step"] = {time_step_.value};
+  saved["clock"] = {time_, last_length_, static_cast<double>(origin_step_), origin_time_};
   if (heat_ != nullptr && heat_->integrator() != nullptr)
     saved["integrator"] = heat_->integrator()->save();
   saved["specimen"] = marks_of(model_);
@@ -339,6 +385,7 @@ void Simulation::restore(std::int64_t step,
   if (kept("specimen") != marks_of(model_))
     throw InputError(
         "the checkpoint was made of another specimen; resume with the one it began with");
+  if (step_follows_duration()) time_step_.value = kept("time_step").at(0);
   if (kept("time_step").at(0) != time_step_.value)
     throw InputError("the checkpoint was made with a time step of " +
                      text(kept("time_step").at(0)) + " s, the scene asks for " +
@@ -363,6 +410,11 @@ void Simulation::restore(std::int64_t step,
     heat_->integrator()->restore(kept("integrator"));
   initial_energy_ = kept("initial_energy").at(0);
   largest_work_ = kept("largest_work").at(0);
+  const std::vector<double>& clock = kept("clock");
+  time_ = clock.at(0);
+  last_length_ = clock.at(1);
+  origin_step_ = static_cast<std::int64_t>(clock.at(2));
+  origin_time_ = clock.at(3);
   step_ = step;
 }
 

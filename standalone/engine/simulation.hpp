@@ -48,9 +48,13 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Runs so many time steps. Throws RunError within 256 steps of the elements moving with more
-  /// energy than was ever put in.
+  /// Runs so many time steps; the one that reaches the duration ends there. Throws RunError within
+  /// 256 steps of the elements moving with more energy than was ever put in, or of a temperature
+  /// below absolute zero.
   void advance(std::int64_t steps);
+
+  /// Throws RunError where the state now shows that the run diverged.
+  void check();
 
   /// Looks at the state; throws RunError when it is no longer finite.
   HistoryRow observe() const;
@@ -58,9 +62,9 @@ class Simulation {
   HistoryRow observe(Observation& observation) const;
 
   std::int64_t step() const { return step_; }
-  double time() const { return static_cast<double>(step_) * time_step_.value; }
+  double time() const { return time_; }
   const TimeStepChoice& time_step() const { return time_step_; }
-  /// Number of steps that the setup's run control asks for.
+  /// Number of steps that the setup's run control asks for, those before a resumed run among them.
   std::int64_t steps_to_run() const;
 
   Model& model() { return model_; }
@@ -90,7 +94,8 @@ class Simulation {
 
   /// Everything that is needed to go on exactly: dynamic columns and the effects' sums, by name.
   std::map<std::string, std::vector<double>> save() const;
-  /// Goes on from what was saved at a step. Throws InputError when it does not fit.
+  /// Goes on from what was saved at a step, with the time step of then where the scene gives none
+  /// and stability does not bound it. Throws InputError when it does not fit.
   void restore(std::int64_t step, const std::map<std::string, std::vector<double>>& saved);
 
  private:
@@ -104,6 +109,13 @@ class Simulation {
   /// Takes the energy that is there now as what the run starts with.
   void record_initial_energy();
   void choose_time_step(bool force);
+  /// Whether the time step follows from the duration: heat that stability does not bound.
+  bool step_follows_duration() const;
+  /// Refuses more steps than can be counted.
+  void check_number_of_steps() const;
+  /// Length of the next step, s: the last one before the duration may be shorter.
+  double next_length() const;
+  void finish_step(double length);
   /// Throws RunError when the elements move with more energy than was ever put in.
   void check_energy_bound();
   void step_once(const Step& step);
@@ -118,6 +130,10 @@ class Simulation {
   Plan plan_;
   TimeStepChoice time_step_;
   std::int64_t step_ = 0;
+  double time_ = 0;                               ///< s
+  double last_length_ = 0;                        ///< of the step before, s
+  std::int64_t origin_step_ = 0;                  ///< from which steps of equal length are counted
+  double origin_time_ = 0;                        ///< its time, s
   std::vector<std::unique_ptr<Effect>> effects_;  ///< in the order of the plan
   std::vector<Effect*> moving_;                   ///< those up to the constraints, by phase
   std::vector<Effect*> looking_;                  ///< those after the move

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/polyhedron.hpp"
 #include "model/specimen.hpp"
 
 namespace solidem {
@@ -24,18 +25,17 @@ struct Shape {
   };
   std::vector<Part> parts;
 
-  /// Distance of a point from the surface, negative inside, m. Exact for one part; of several the
-  /// usual bound, exact in sign. For `fraction_inside` of a ball around the point, give its radius,
-  /// m: round surfaces then move inwards a little, so that flat cuts leave the volume as it is.
-  double signed_distance(const Vector& point, double ball_radius = 0) const;
-
   /// Lower and upper corner of a box that holds the solid, m.
   std::pair<Vector, Vector> bounds() const;
+
+  /// The least of its parts' radii, lengths and sizes, m.
+  double smallest_extent() const;
 };
 
-/// The share of a ball's volume on the inner side of a plane at a signed distance of its centre
-/// (negative inside), in radii of the ball: 1 below −1, 0 above 1.
-double fraction_inside(double distance_in_radii);
+/// Volume of a solid inside of a shape whose origin is at a position, m³. Exact for a shape of one
+/// part. Of several, where two round ones meet inside the solid, one of them counts as flat facets
+/// that stay within .005 of the solid's size of it.
+double volume_inside(const Polyhedron& solid, const Shape& shape, const Vector& position);
 
 }  // namespace solidem
 

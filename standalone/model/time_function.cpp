@@ -59,4 +59,11 @@ double TimeFunction::largest() const {
   return *std::max_element(value.begin(), value.end()) + std::fabs(amplitude);
 }
 
+double TimeFunction::largest_rate() const {
+  double largest = 0;
+  for (std::size_t k = 1; k < time.size(); ++k)
+    largest = std::max(largest, std::fabs((value[k] - value[k - 1]) / (time[k] - time[k - 1])));
+  return largest + two_pi * std::fabs(amplitude * frequency);
+}
+
 }  // namespace solidem

@@ -26,6 +26,9 @@ struct TimeFunction {
   /// The largest value at any time.
   double largest() const;
 
+  /// The largest size of the time derivative at any time.
+  double largest_rate() const;
+
   /// Whether it is the same at all times.
   bool is_constant() const { return time.size() == 1 && amplitude == 0; }
 

@@ -5,6 +5,7 @@
 
 #include "model/error.hpp"
 #include "output/disk.hpp"
+#include "output/first_difference.hpp"
 #include "output/replace_file.hpp"
 
 namespace solidem {
@@ -76,9 +77,10 @@ void write_checkpoint(const std::string& path, const CheckpointHeader& header,
 CheckpointReader::CheckpointReader(const std::string& path, const std::string& fingerprint)
     : CheckpointReader(open_checkpoint(path)) {
   if (header_.fingerprint != fingerprint)
-    throw InputError(path + ": is the checkpoint of another scene or specimen (fingerprint " +
-                     header_.fingerprint + ", this run has " + fingerprint +
-                     "); run without resuming, or with the scene it was made from");
+    throw InputError(path + ": was made by another scene: then " +
+                     first_difference(header_.fingerprint, fingerprint) +
+                     " as now; expected the scene it was made from, where title, duration or "
+                     "steps, observe_every and [output] may change, or a run without --resume");
 }
 
 CheckpointReader::CheckpointReader(const Hdf5File& file)

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "output/first_difference.hpp"
 #include "scene/scene.hpp"
 
 namespace solidem {
@@ -11,13 +12,9 @@ namespace solidem {
 /// All of a scene that shapes its states and its history columns, as text: a line `name = value`
 /// for each, numbers with all their digits. Two scenes with the same fingerprint may continue each
 /// other's checkpoints. Left out are the title, the paths of folders, how long to run, how often to
-/// observe and what to write. A specimen file counts by its name: its content is for the checkpoint
-/// to compare.
+/// observe, what to write, and the time step, which the checkpoint compares as it came out. A
+/// specimen file counts by its name: its content is for the checkpoint to compare.
 std::string fingerprint(const Scene& scene);
-
-/// The first line in which two fingerprints differ: "beams.radius_ratio = 0.3, not 0.27", what the
-/// first says, then the second; empty when they are the same.
-std::string first_difference(const std::string& first, const std::string& second);
 
 }  // namespace solidem
 

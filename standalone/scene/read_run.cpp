@@ -62,7 +62,7 @@ Rule run_section(RunControl& run) {
 
 Rule output_section(OutputControl& output) {
   return table([&output](const Section& section) {
-    section.read({may_have("frames", integer(output.frames, 0)),
+    section.read({may_have("frames", integer(output.frames, 0, 1000000)),
                   may_have("checkpoint_every", integer(output.checkpoint_every, 0))});
   });
 }

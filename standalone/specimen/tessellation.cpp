@@ -125,6 +125,7 @@ class CellMaker {
   // Adds the element to the chunk; returns the volume of its cell, 0 when it has none.
   double make(std::int32_t element, Chunk& chunk) {
     const auto [block, k] = place_[element];
+    is_holed_ = false;
     if (!container_->compute_cell(cell_, block, k)) return 0;
     element_ = element;
     sides_.clear();
@@ -136,6 +137,7 @@ class CellMaker {
     if (!body_.inner.normal.empty() && reaches_hole()) {
       in_hole_ = cell_;
       if (keep_inside(in_hole_, body_.inner, inner_)) {
+        is_holed_ = true;
         volume -= in_hole_.volume();
         add_faces(in_hole_, -1.0);
       }
@@ -144,8 +146,39 @@ class CellMaker {
     return volume;
   }
 
+  // Calls visit(faces, walls, in hole) for the solids of the cell made last: faces in mean radii,
+  // and the wall that each lies on or the number of walls.
+  template <class Visit>
+  void visit_solids(const Visit& visit) {
+    visit_solid(cell_, false, visit);
+    if (is_holed_) visit_solid(in_hole_, true, visit);
+  }
+
  private:
   using Cell = voro::voronoicell_neighbor;
+
+  template <class Visit>
+  void visit_solid(Cell& cell, bool is_in_hole, const Visit& visit) {
+    const Vector& p = body_.position[element_];
+    std::vector<int> corners;
+    cell.vertices(p.x, p.y, p.z, numbers_);
+    cell.face_vertices(corners);
+    cell.neighbors(others_);
+    const auto vertex = [&](int k) {
+      return Vector{numbers_[3 * k], numbers_[3 * k + 1], numbers_[3 * k + 2]};
+    };
+    Polyhedron solid;
+    std::vector<std::size_t> walls;
+    std::size_t at = 0;
+    for (const int other : others_) {
+      std::vector<Vector> face;
+      for (int left = corners[at++]; left > 0; --left) face.push_back(vertex(corners[at++]));
+      std::reverse(face.begin(), face.end());  // voro++ goes clockwise
+      solid.faces.push_back(std::move(face));
+      walls.push_back(other < 0 ? wall_of(other) : body_.walls.size());
+    }
+    visit(solid, walls, is_in_hole);
+  }
 
   void add_walls() {
     static const char* const box[] = {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
@@ -276,6 +309,7 @@ class CellMaker {
 
   Cell cell_, in_hole_;
   std::int32_t element_ = 0;
+  bool is_holed_ = false;
   std::vector<int> others_;
   std::vector<double> areas_, numbers_, wall_area_;
   std::vector<Side> sides_;
@@ -286,6 +320,12 @@ std::string place_of(const Specimen& specimen, std::size_t element) {
   return fmt::format("element {} at ({:.6g}, {:.6g}, {:.6g}) m", element, p.x, p.y, p.z);
 }
 
+// Whether the volume of a body is that of its shape.
+bool fills_its_shape(const Domain& domain) {
+  const double expected = volume_of(domain);
+  return std::abs(domain.volume - expected) <= 1e-9 * expected;
+}
+
 void check_body(const Specimen& specimen, const Body& body) {
   const Domain& domain = specimen.domain;
   if (domain.shape == "imported")
@@ -293,7 +333,7 @@ void check_body(const Specimen& specimen, const Body& body) {
         "cells: the specimen's file does not say what shape its body has, without which there are "
         "no cells; give [specimen] shape and its measures");
   const double expected = volume_of(domain);
-  if (!(std::abs(domain.volume - expected) <= 1e-9 * expected))
+  if (!fills_its_shape(domain))
     throw InputError(fmt::format(
         "cells: the volume of the body is {:.9g} m3, but a {} of its dimensions has {:.9g} m3: "
         "expected a volume and a shape that agree",
@@ -352,7 +392,89 @@ void scale_to_body(const Body& body, const Domain& domain, Tessellation& result)
   }
 }
 
+Polyhedron in_metres(Polyhedron solid, double unit, const Vector& origin) {
+  for (std::vector<Vector>& face : solid.faces)
+    for (Vector& p : face) p = origin + unit * p;
+  return solid;
+}
+
+bool boxes_meet(const Polyhedron& solid, const Vector& lower, const Vector& upper) {
+  const auto [from, to] = bounds(solid);
+  return from.x <= upper.x && to.x >= lower.x && from.y <= upper.y && to.y >= lower.y &&
+         from.z <= upper.z && to.z >= lower.z;
+}
+
+// Gathers what take(faces, walls, element, in hole, into) makes of each solid of the cells.
+template <class Take>
+std::vector<CellSolid> gather_solids(const Specimen& specimen, const Body& body, const Take& take) {
+  const std::size_t n = specimen.size();
+  std::vector<std::vector<CellSolid>> chunks((n + chunk_size - 1) / chunk_size);
+  const auto chunk_count = static_cast<std::ptrdiff_t>(chunks.size());
+#pragma omp parallel if (chunk_count > 4)
+  {
+    CellMaker maker(body);
+#pragma omp for schedule(dynamic)
+    for (std::ptrdiff_t c = 0; c < chunk_count; ++c) {
+      const std::size_t begin = static_cast<std::size_t>(c) * chunk_size;
+      for (std::size_t i = begin; i < std::min(begin + chunk_size, n); ++i) {
+        Chunk unused;
+        const auto element = static_cast<std::int32_t>(i);
+        if (!(maker.make(element, unused) > 0)) continue;
+        maker.visit_solids(
+            [&](const Polyhedron& solid, const std::vector<std::size_t>& walls, bool is_in_hole) {
+              take(in_metres(solid, body.unit, specimen.domain.lower), walls, element, is_in_hole,
+                   chunks[c]);
+            });
+      }
+    }
+  }
+  std::vector<CellSolid> all;
+  for (std::vector<CellSolid>& chunk : chunks)
+    all.insert(all.end(), std::make_move_iterator(chunk.begin()),
+               std::make_move_iterator(chunk.end()));
+  return all;
+}
+
 }  // namespace
+
+bool has_cells(const Specimen& specimen) {
+  if (!fills_its_shape(specimen.domain)) return false;
+  const std::vector<Wall> walls = walls_of(specimen.domain);
+  return std::all_of(specimen.position.begin(), specimen.position.end(), [&](const Vector& p) {
+    return std::all_of(walls.begin(), walls.end(),
+                       [&](const Wall& wall) { return wall.distance(p) > 0; });
+  });
+}
+
+std::vector<CellSolid> cell_solids(const Specimen& specimen, const Vector& lower,
+                                   const Vector& upper) {
+  const Body body(specimen);
+  check_body(specimen, body);
+  return gather_solids(specimen, body,
+                       [&](const Polyhedron& solid, const std::vector<std::size_t>& /*walls*/,
+                           std::int32_t element, bool is_in_hole, std::vector<CellSolid>& into) {
+                         const bool is_taken = is_in_hole
+                                                   ? !into.empty() && into.back().element == element
+                                                   : boxes_meet(solid, lower, upper);
+                         if (is_taken) into.push_back({element, solid, is_in_hole});
+                       });
+}
+
+std::vector<CellSolid> wall_slabs(const Specimen& specimen, const std::string& wall,
+                                  double thickness) {
+  const Body body(specimen);
+  check_body(specimen, body);
+  const std::size_t asked = body.wall_called(wall);
+  const bool is_hole = wall == "inner";
+  return gather_solids(
+      specimen, body,
+      [&](const Polyhedron& solid, const std::vector<std::size_t>& walls, std::int32_t element,
+          bool is_in_hole, std::vector<CellSolid>& into) {
+        for (std::size_t k = 0; k < walls.size(); ++k)
+          if (walls[k] == asked)
+            into.push_back({element, slab_of(solid.faces[k], thickness), is_in_hole && !is_hole});
+      });
+}
 
 Tessellation tessellate(const Specimen& specimen) {
   const Body body(specimen);

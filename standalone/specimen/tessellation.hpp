@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "model/polyhedron.hpp"
 #include "model/specimen.hpp"
 #include "specimen/walls.hpp"
 
@@ -42,6 +43,27 @@ struct Tessellation {
 /// when larger spheres around an element leave no cell for it, or when the domain's volume is not
 /// that of its shape; RunError when the cells do not fill the body.
 Tessellation tessellate(const Specimen& specimen);
+
+/// A convex solid of an element's cell: all of it, or the part of it that lies in a hole of the
+/// body and so does not count.
+struct CellSolid {
+  std::int32_t element;
+  Polyhedron solid;
+  bool is_in_hole = false;
+};
+
+/// The solids of the cells whose bounding boxes meet that between two corners, in the order of
+/// elements. For a specimen that has cells.
+std::vector<CellSolid> cell_solids(const Specimen& specimen, const Vector& lower,
+                                   const Vector& upper);
+
+/// The same as slabs of a thickness about the faces on a wall.
+std::vector<CellSolid> wall_slabs(const Specimen& specimen, const std::string& wall,
+                                  double thickness);
+
+/// Whether a specimen has cells as far as can be told without making them: its outline is known and
+/// holds all centres.
+bool has_cells(const Specimen& specimen);
 
 /// For laws without cells: the elements that touch each wall, within 5 % of their radius, share its
 /// exact area in proportion to R². A wall that nothing touches has an empty list.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "effects/beam_properties.hpp"
+#include "effects/gauge_check.hpp"
 #include "model/error.hpp"
 #include "solve/statics/bonded_body.hpp"
 #include "solve/statics/stiffness_solver.hpp"
@@ -87,6 +88,7 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
 GaugeMeasure measure_gauge(const BeamNetwork& network, const Equilibrium& equilibrium,
                            const Gauge& gauge) {
   const Specimen& specimen = *network.specimen;
+  check_gauge(gauge, specimen.domain);
   const auto place = [&](std::int32_t e, int axis) {
     return component(specimen.position[static_cast<std::size_t>(e)], axis);
   };
