@@ -26,7 +26,7 @@ SCENES = {
     "missing value": (lambda t: t.replace('density = "2790 kg/m^3"\n', ""),
                       ["bar.toml", "density"]),
     "grips share elements": (lambda t: t.replace('side = "high", layers = 1', 'side = "high", layers = 9'),
-                             ["right", "left", "fraction", "element"]),
+                             ["right", "left", "share", "element"]),
     "grip without elements": (
         lambda t: t.replace('{ axis = "x", side = "high", layers = 1 }',
                             '{ lower = ["1 m", "any", "any"] }'), ["grip", "right", "no element"]),
