@@ -19,6 +19,7 @@
 #include "model/error.hpp"
 #include "solve/heat/heat_integrator.hpp"
 #include "specimen/bonds.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -364,6 +365,13 @@ void Simulation::restore(std::int64_t step,
   initial_energy_ = kept("initial_energy").at(0);
   largest_work_ = kept("largest_work").at(0);
   step_ = step;
+}
+
+std::vector<std::string> notes_of(const Simulation& simulation) {
+  std::vector<std::string> notes = simulation.plan().notes;
+  for (std::string& note : notes_on(simulation.model().specimen(), simulation.pairs()))
+    notes.push_back(std::move(note));
+  return notes;
 }
 
 }  // namespace solidem
