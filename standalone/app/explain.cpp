@@ -16,7 +16,6 @@
 #include "engine/heat.hpp"
 #include "scene/body.hpp"
 #include "solve/heat/heat_integrator.hpp"
-#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -148,7 +147,7 @@ Json report_of(const Scene& scene, Simulation& simulation) {
   report["bonds"] = model.slots().bonds();
   report["slots"] = model.slots().rows() * lanes;
   report["unbonded_elements"] = simulation.unbonded();
-  report["notes"] = notes_on(simulation.model().specimen(), simulation.pairs());
+  report["notes"] = notes_of(simulation);
   report["bytes"] = model.bytes();
   report["time_step"] = {{"value", dt.value},
                          {"bound", dt.bound},

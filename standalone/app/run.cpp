@@ -19,7 +19,6 @@
 #include "scene/body.hpp"
 #include "scene/fingerprint.hpp"
 #include "solve/heat/heat_integrator.hpp"
-#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -69,7 +68,7 @@ int run_scene(const RunCommand& command) {
   fmt::print("{}: {} elements, {} bonds, {} steps of {:.4g} s -> {}\n", scene.title,
              simulation.model().elements(), slots.bonds(), simulation.steps_to_run(),
              simulation.time_step().value, options.directory);
-  print_notes(notes_on(simulation.model().specimen(), simulation.pairs()));
+  print_notes(notes_of(simulation));
   if (simulation.time_step().value > simulation.time_step().limit)
     fmt::print("warning: the time step is beyond the stable limit {:.4g} s, as forced\n",
                simulation.time_step().limit);

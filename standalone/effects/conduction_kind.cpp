@@ -87,6 +87,10 @@ void plan_conduction(const Setup& setup, Plan& plan) {
                             return make_conduction(conduction, assembly);
                           }});
   plan.ask("conduction", Conduction::columns(*conduction, setup.materials));
+  if (provides(setup, Provides::motion))
+    plan.notes.emplace_back(
+        "temperature changes neither the size of elements (no thermal expansion) nor the forces "
+        "between them, and no work warms them: heat and motion go on side by side");
 }
 
 /// A constant as a number, a table as {temperature, value}.

@@ -35,6 +35,8 @@ struct Plan {
   bool periodic = false;  ///< the specimen is, in some direction
   std::vector<PlannedEffect> effects;
   std::vector<PlannedColumn> columns;
+  /// What a user may expect of these effects together and would not get: told by run and explain.
+  std::vector<std::string> notes;
 
   bool has(const Column& column) const;
   /// Columns that an effect of this name works on.

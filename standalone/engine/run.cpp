@@ -289,6 +289,7 @@ class Recorder {
     if (!reason.empty()) summary["stopped"] = reason;
     for (const PlannedEffect& effect : simulation_.plan().effects)
       summary["effects"].push_back(effect.name);
+    summary["notes"] = notes_;
     summary["elements"] = model.elements();
     summary["bonds"] = model.slots().bonds();
     summary["unbonded_elements"] = simulation_.unbonded();
@@ -323,6 +324,7 @@ class Recorder {
   }
 
   Simulation& simulation_;
+  const std::vector<std::string> notes_ = notes_of(simulation_);  ///< of the start
   const RunOptions& options_;
   std::map<std::string, double> seconds_;
   std::vector<Pair> bonds_;  ///< at the start, where they are drawn

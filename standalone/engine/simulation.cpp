@@ -19,6 +19,7 @@
 #include "model/error.hpp"
 #include "solve/heat/heat_integrator.hpp"
 #include "specimen/bonds.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -416,6 +417,13 @@ void Simulation::restore(std::int64_t step,
   origin_step_ = static_cast<std::int64_t>(clock.at(2));
   origin_time_ = clock.at(3);
   step_ = step;
+}
+
+std::vector<std::string> notes_of(const Simulation& simulation) {
+  std::vector<std::string> notes = simulation.plan().notes;
+  for (std::string& note : notes_on(simulation.model().specimen(), simulation.pairs()))
+    notes.push_back(std::move(note));
+  return notes;
 }
 
 }  // namespace solidem

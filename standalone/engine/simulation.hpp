@@ -145,6 +145,9 @@ class Simulation {
   double round_off_energy_ = 0;  ///< J
 };
 
+/// What a user of a simulation should know before it runs: of its effects together, of its body.
+std::vector<std::string> notes_of(const Simulation& simulation);
+
 }  // namespace solidem
 
 #endif
