@@ -247,12 +247,12 @@ void Simulation::finish_step(double length) {
   origin_time_ = time_ = *setup_.run.duration;
 }
 
-void Simulation::check() {
+void Simulation::check() const {
   if (mechanics_ != nullptr) check_energy_bound();
   if (heat_ != nullptr) heat_->check(step_, time_);
 }
 
-void Simulation::check_energy_bound() {
+double Simulation::check_energy_bound() const {
   // All that moves was paid for: by the start or by the grips. Velocities are half a step behind
   // and the integrator swings a little about the energy, hence the factor.
   constexpr double factor = 2;
@@ -270,11 +270,11 @@ void Simulation::check_energy_bound() {
     work += effect->work();
     spent += effect->spent(model_);
   }
-  largest_work_ = std::max(largest_work_, work);
-  if (kinetic + spent <= factor * largest_work_ + round_off_energy_) return;
+  const double largest = std::max(largest_work_, work);
+  if (kinetic + spent <= factor * largest + round_off_energy_) return largest;
   throw RunError("the run diverged: at step " + std::to_string(step_) + " (time " + text(time()) +
                  " s) the elements move with " + text(kinetic) + " J and " + text(spent) +
-                 " J went into plastic flow, but no more than " + text(largest_work_) +
+                 " J went into plastic flow, but no more than " + text(largest) +
                  " J were ever put in; time step " + text(time_step_.value) +
                  " s, stable limit at the start " + text(time_step_.limit) + " s");
 }
@@ -299,7 +299,10 @@ void Simulation::advance(std::int64_t steps) {
   // Whatever moves when the first step begins was put there.
   if (step_ == 0 && steps > 0 && mechanics_ != nullptr) record_initial_energy();
   for (std::int64_t n = 0; n < steps; ++n) {
-    if (step_ % check_every == 0) check();
+    if (step_ % check_every == 0) {
+      if (mechanics_ != nullptr) largest_work_ = check_energy_bound();
+      if (heat_ != nullptr) heat_->check(step_, time_);
+    }
     const double length = next_length();
     // Velocities go from the middle of one step to the middle of the next.
     step_once({time_, length, 0.5 * (last_length_ + length)});

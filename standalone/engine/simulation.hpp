@@ -54,7 +54,7 @@ class Simulation {
   void advance(std::int64_t steps);
 
   /// Throws RunError where the state now shows that the run diverged.
-  void check();
+  void check() const;
 
   /// Looks at the state; throws RunError when it is no longer finite.
   HistoryRow observe() const;
@@ -116,8 +116,9 @@ class Simulation {
   /// Length of the next step, s: the last one before the duration may be shorter.
   double next_length() const;
   void finish_step(double length);
-  /// Throws RunError when the elements move with more energy than was ever put in.
-  void check_energy_bound();
+  /// The most work that was ever in the body, J. Throws RunError when the elements move with more
+  /// energy than that.
+  double check_energy_bound() const;
   void step_once(const Step& step);
   /// Whether a run changes a column, so that it belongs into a checkpoint.
   bool changes(const Column& column) const;

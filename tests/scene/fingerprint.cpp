@@ -69,8 +69,8 @@ TEST(Fingerprint, TheDifferenceIsNamed) {
   EXPECT_EQ(first_difference(original, changed), "beams.radius_ratio = 0.27, not 0.5");
   const std::string longer = fingerprint_of(
       replaced(bar_scene, "radius_ratio = 0.27", "radius_ratio = 0.27\nradius_from = \"pair\""));
-  EXPECT_EQ(first_difference(original, longer), "beams.radius_from not given, not pair");
-  EXPECT_EQ(first_difference(longer, original), "beams.radius_from = pair, not given");
+  EXPECT_EQ(first_difference(original, longer), "beams.radius_from not given, not \"pair\"");
+  EXPECT_EQ(first_difference(longer, original), "beams.radius_from = \"pair\", not given");
 }
 
 }  // namespace
