@@ -3,14 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "model/error.hpp"
 #include "output/hdf5.hpp"
+#include "output/read_file.hpp"
 #include "output/replace_file.hpp"
 #include "specimen/text_formats.hpp"
 
@@ -33,8 +30,7 @@ Vector vector_attribute(const Hdf5Group& group, const std::string& name) {
   return {v[0], v[1], v[2]};
 }
 
-void write_hdf5(const std::string& path, const Specimen& specimen) {
-  Hdf5File file = Hdf5File::create(path);
+void write_hdf5(const Hdf5File& file, const Specimen& specimen) {
   file.set_attribute("format", format_name);
   file.set_attribute("version", format_version);
 
@@ -71,7 +67,6 @@ void write_hdf5(const std::string& path, const Specimen& specimen) {
                                              figures.at("fabric_z")});
 
   for (const auto& [name, members] : specimen.sets) file.write("sets/" + name, members);
-  file.close();
 }
 
 Specimen read_hdf5(const std::string& path) {
@@ -141,13 +136,7 @@ std::string read_text(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
   if (std::filesystem::is_directory(path, error)) throw InputError(path + ": is a directory");
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  // Reading nothing at all from an empty file fails the output stream, not the input.
-  if (!file.is_open() || file.bad())
-    throw InputError(path + ": cannot be read (" + std::strerror(errno) + ")");
-  return text.str();
+  return read_file(path);
 }
 
 std::string extension_of(const std::string& path) {
@@ -183,7 +172,7 @@ void write_specimen(const std::string& path, const Specimen& specimen) {
   const std::string extension = extension_of(path);
   check_specimen(specimen, "specimen for " + path);
   if (extension == ".h5")
-    replace_file(path, [&](const std::string& temporary) { write_hdf5(temporary, specimen); });
+    replace_hdf5_file(path, [&](const Hdf5File& file) { write_hdf5(file, specimen); });
   else if (extension == ".data")
     replace_text_file(path, liggghts_text(specimen));
   else if (extension == ".txt")
@@ -192,6 +181,10 @@ void write_specimen(const std::string& path, const Specimen& specimen) {
     replace_text_file(path, csv_text(specimen));
   else
     fail_extension(path);
+}
+
+void put_specimen(const Hdf5File& file, const Specimen& specimen) {
+  write_hdf5(file, specimen);
 }
 
 }  // namespace solidem
