@@ -9,23 +9,10 @@
 #include <filesystem>
 
 #include "model/error.hpp"
-#include "output/descriptor.hpp"
 
 namespace solidem {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Makes a file that nobody had made and removes it again; false, with errno, if that cannot be.
-bool can_make_files(const std::string& name) {
-  ::unlink(name.c_str());
-  const Descriptor file(
-      ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, usual_mode));
-  return file.is_open() && ::unlink(name.c_str()) == 0;
-}
-
-}  // namespace
 
 void prepare_directory(const std::string& directory) {
   std::error_code error;
@@ -34,9 +21,7 @@ void prepare_directory(const std::string& directory) {
   if (!fs::is_directory(directory, unknown))
     throw RunError("cannot make the directory " + directory + ": " +
                    (error ? error.message() : "something else has that name"));
-  const std::string probe =
-      (fs::path(directory) / (".solidem-" + std::to_string(::getpid()))).string();
-  if (!can_make_files(probe))
+  if (::faccessat(AT_FDCWD, directory.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
     throw RunError("cannot write into the directory " + directory + ": " + std::strerror(errno));
 }
 

@@ -55,7 +55,7 @@ TEST(Checkpoints, are_not_made_of_what_is_not_a_number) {
 }
 
 TEST(Checkpoints, with_numbers_that_mean_nothing_are_refused_and_none_crashes) {
-  const Setup setup = breaking_setup();
+  const auto setup = breaking_setup();
   const Specimen specimen = jittered("bcc", {3, 2, 2});
   const Saved saved = Simulation(setup, specimen).save();
   ASSERT_EQ(refusal(setup, specimen, saved), "");

@@ -43,17 +43,16 @@ void fill(const Hdf5File& file, Bytes& bytes) {
   const Hdf5Group domain = file.make_group("domain");
   domain.set_attribute("shape", "box");
   for (const auto& [name, right] : {std::pair{"lower", -1.0}, std::pair{"upper", 20.0}}) {
-    std::vector<double> corner;
-    for (std::size_t axis = 0; axis < size(bytes, 3); ++axis)
-      corner.push_back(number(bytes, right));
+    std::vector<double> corner(1 + size(bytes, 2));
+    for (double& coordinate : corner) coordinate = number(bytes, right);
     domain.set_attribute(name, corner);
   }
   domain.set_attribute("periodic", std::vector<std::uint8_t>{bytes.take<std::uint8_t>(), 0, 0});
   for (const char* name : {"volume", "radius", "inner_radius", "angle"})
     domain.set_attribute(name, number(bytes, 1));
   domain.set_attribute("axis", static_cast<std::int64_t>(bytes.below(5)) - 1);
-  std::vector<std::int32_t> members;
-  for (std::size_t k = 0; k < bytes.below(5); ++k) members.push_back(bytes.take<std::int32_t>());
+  std::vector<std::int32_t> members(bytes.below(5));
+  for (std::int32_t& member : members) member = bytes.take<std::int32_t>();
   file.write("sets/some", members);
 }
 

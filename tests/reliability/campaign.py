@@ -241,7 +241,15 @@ def sampled(count: int, most: int | None) -> Iterable[int]:
 def faulty_calls(command: Command, how: str, folder: Path, shim: Path,
                  most: int | None = None) -> Counter[str]:
     faults = Faults(command, folder, shim)
-    return Counter(faults.check(at, how) for at in sampled(faults.calls, most))
+    found: Counter[str] = Counter()
+    wrong: list[str] = []
+    for at in sampled(faults.calls, most):
+        try:
+            found[faults.check(at, how)] += 1
+        except AssertionError as error:
+            wrong.append(str(error))
+    assert not wrong, f"{len(wrong)} of {sum(found.values()) + len(wrong)}\n" + "\n".join(wrong)
+    return found
 
 
 # Damage.
