@@ -2,6 +2,7 @@
 include(CMakeFindDependencyMacro)
 find_dependency(OpenMP COMPONENTS CXX)
 find_dependency(Eigen3 NO_MODULE)
+find_dependency(OpenSSL COMPONENTS Crypto)
 find_dependency(fmt)
 find_dependency(nlohmann_json)
 find_dependency(PkgConfig)

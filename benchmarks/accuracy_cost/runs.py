@@ -85,7 +85,7 @@ class Specimens:
             text.write_text(table_text(scene, "specimen"))
             start = time.perf_counter()
             try:
-                self._standalone.call(["specimen", text, "--output", path],
+                self._standalone.call(["specimen", text, "--output", path, "--overwrite"],
                                       self.folder / f"{name}.log", timeout)
             except CodeFailure as failure:
                 self._failed[name] = CodeFailure(f"no specimen: {failure}")
@@ -256,8 +256,8 @@ class Bench:
         if point.code == "standalone":
             return self._standalone_job(study, scene, specimen)
         prepared = self._work / "prepared.h5"
-        self._standalone.call(["prepare", scene, "--output", prepared], self._work / "prepare",
-                              study.timeout)
+        self._standalone.call(["prepare", scene, "--output", prepared, "--overwrite"],
+                              self._work / "prepare", study.timeout)
         explained = self._standalone.call(["explain", scene, "--json"], self._work / "explain",
                                           study.timeout)
         parameters = parse_parameters(json.loads(explained.read_text()))

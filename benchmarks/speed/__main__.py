@@ -62,9 +62,10 @@ def prepare(effect: str, standalone: Standalone, folder: Path) -> Job:
     text = (HERE / f"{effect}.toml").read_text()
     recipe = text[text.index("[specimen]"):text.index("[material]")]
     specimen, scene, prepared = (folder / n for n in ("specimen.h5", "scene.toml", "prepared.h5"))
-    standalone.call(["specimen", HERE / f"{effect}.toml", "-o", specimen], folder / "specimen", 600)
+    standalone.call(["specimen", HERE / f"{effect}.toml", "-o", specimen, "--overwrite"],
+                    folder / "specimen", 600)
     scene.write_text(text.replace(recipe, f'[specimen]\nfile = "{specimen}"\n\n'))
-    standalone.call(["prepare", scene, "-o", prepared], folder / "prepare", 600)
+    standalone.call(["prepare", scene, "-o", prepared, "--overwrite"], folder / "prepare", 600)
     explained = standalone.call(["explain", scene, "--json"], folder / "explain", 600)
     parameters = parse_parameters(json.loads(explained.read_text()))
     return Job(scene, prepared, explained, read_specimen(prepared), parameters, 10**6, 10**6, 1800)

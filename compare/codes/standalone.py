@@ -49,7 +49,7 @@ class Standalone:
 
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job."""
-        self.call(["run", job.scene, "--output", directory / "results", "--threads",
+        self.call(["run", job.scene, "--output", directory / "results", "--overwrite", "--threads",
                    str(self.threads)], directory, job.timeout)
         return read_result(self.name, directory / "results")
 

@@ -41,8 +41,9 @@ class Statics:
     def run(self, job: Job, directory: Path) -> Result:
         """Solves a scene for the loads at its end."""
         results = directory / "results"
-        self.standalone.call(["solve", job.scene, "--output", results, "--threads", "1", "--modes",
-                              str(job.options.get("modes", 0))], directory, job.timeout)
+        self.standalone.call(["solve", job.scene, "--output", results, "--overwrite", "--threads",
+                              "1", "--modes", str(job.options.get("modes", 0))], directory,
+                             job.timeout)
         try:
             return self._result(job, results)
         except (OSError, KeyError, TypeError, ValueError) as error:

@@ -157,7 +157,7 @@ class Runner:
             if not (path.exists() and self._is_done(record, text)):
                 record.unlink(missing_ok=True)
                 (folder / f"{name}.toml").write_text(text, encoding="utf-8")
-                self._call(["specimen", folder / f"{name}.toml", "--output", path],
+                self._call(["specimen", folder / f"{name}.toml", "--output", path, "--overwrite"],
                            folder / f"{name}.log")
                 record.write_text(json.dumps({"made_of": _digest(text), "program": self._stamp}),
                                   encoding="utf-8")

@@ -12,11 +12,12 @@
 #include "app/calibrate_orthotropic.hpp"
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/say.hpp"
 #include "engine/calibration.hpp"
 #include "engine/tension_bench.hpp"
 #include "model/error.hpp"
-#include "output/disk.hpp"
 #include "output/replace_file.hpp"
+#include "output/results_folder.hpp"
 #include "output/summary.hpp"
 #include "scene/body.hpp"
 #include "specimen/pieces.hpp"
@@ -171,15 +172,15 @@ std::vector<Specimen> make_specimens(const Scene& scene, int count) {
 }
 
 void print_result(const Calibration& found, const std::string& file, const std::string& title) {
-  fmt::print("\n{}:{}\n", title, text_of(found.figures));
+  say("\n{}:{}\n", title, text_of(found.figures));
   const Json uncertainty = uncertainty_of(found);
   if (!uncertainty.empty()) {
-    fmt::print("from specimen to specimen the parameters differ by");
+    say("from specimen to specimen the parameters differ by");
     for (const auto& [key, value] : uncertainty.items())
-      fmt::print(" {} ± {:.2g}", key, value.get<double>());
-    fmt::print("\n");
+      say(" {} ± {:.2g}", key, value.get<double>());
+    say("\n");
   }
-  fmt::print("\n{}\n-> {}\n", bond_sections(found.bonds), file);
+  say("\n{}\n-> {}\n", bond_sections(found.bonds), file);
 }
 
 }  // namespace
@@ -199,13 +200,13 @@ int calibrate_scene(const CalibrateCommand& command) {
   const std::string directory =
       command.output.empty() ? std::filesystem::path(command.scene).stem().string() + ".results"
                              : command.output;
-  prepare_directory(directory);
+  const ResultsFolder folder(directory, {"calibration.json", "calibrated*.toml"},
+                             command.overwrite ? Earlier::replace : Earlier::refuse);
   const std::vector<Specimen> specimens =
       make_specimens(scene, scene.calibration ? scene.calibration->specimens
                                               : scene.orthotropic_calibration->specimens);
-  fmt::print("{}: {} specimen(s) of {} elements, {} bonds in the first, from seed {}\n",
-             scene.title, specimens.size(), specimens[0].size(), specimens[0].bonds.size(),
-             scene.specimen.seed);
+  say("{}: {} specimen(s) of {} elements, {} bonds in the first, from seed {}\n", scene.title,
+      specimens.size(), specimens[0].size(), specimens[0].bonds.size(), scene.specimen.seed);
   if (specimens[0].report.count(estimated_volume) != 0)
     throw InputError(command.scene +
                      ": [calibration] stress is force over the section of the body, which the "
@@ -213,7 +214,7 @@ int calibrate_scene(const CalibrateCommand& command) {
   print_notes(notes_on(specimens[0], specimens[0].bonds));
 
   if (scene.orthotropic_calibration)
-    return calibrate_orthotropic_scene(scene, specimens, directory);
+    return calibrate_orthotropic_scene(scene, specimens, directory, folder);
 
   const CalibrationRequest& request = *scene.calibration;
   const BondParameters bonds{*setup.get<BeamParameters>(), setup.get<PlasticityParameters>(),
@@ -223,7 +224,7 @@ int calibrate_scene(const CalibrateCommand& command) {
   const auto teller = [&](const std::string& prefix) {
     return [&printing, prefix](const CalibrationTrial& trial) {
       const std::lock_guard<std::mutex> lock(printing);
-      fmt::print("{}{}\n", prefix, text_of(trial));
+      say("{}{}\n", prefix, text_of(trial));
       std::fflush(stdout);
     };
   };
@@ -235,6 +236,7 @@ int calibrate_scene(const CalibrateCommand& command) {
                   teller(request.one_set ? "" : name(k) + ": "));
   });
 
+  folder.begin();
   Json results = Json::array();
   std::string misses;
   for (std::size_t k = 0; k < found.size(); ++k) {
@@ -258,7 +260,7 @@ int calibrate_scene(const CalibrateCommand& command) {
                                                   {"wall_seconds", seconds},
                                                   {"threads", omp_get_max_threads()},
                                                   {"hardware", to_json(hardware())}});
-  fmt::print("in all {:.3g} s\n", seconds);
+  say("in all {:.3g} s\n", seconds);
   if (misses.empty()) return 0;
   throw RunError("[calibration] not every target was met; the nearest parameters are in " +
                  directory + ":" + misses);

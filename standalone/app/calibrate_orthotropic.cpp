@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bond_sections.hpp"
+#include "app/say.hpp"
 #include "model/error.hpp"
 #include "output/replace_file.hpp"
 #include "output/summary.hpp"
@@ -31,30 +32,27 @@ std::string text_of(std::size_t constant, double value) {
 void print_trial(const OrthotropicTrial& trial, double seconds) {
   const BeamParameters& beams = trial.beams;
   const Anisotropy& grain = *beams.anisotropy;
-  fmt::print(
-      "misfit {:7.4f}:  beams E_L {:.4g} GPa  E_R/E_L {:.3g}  E_T/E_L {:.3g}  exponent {:.3g}"
+  say("misfit {:7.4f}:  beams E_L {:.4g} GPa  E_R/E_L {:.3g}  E_T/E_L {:.3g}  exponent {:.3g}"
       "  radius_ratio {:.3g}",
       trial.misfit, beams.young_modulus / 1e9, grain.radial_modulus / beams.young_modulus,
       grain.tangential_modulus / beams.young_modulus, grain.exponent, beams.radius_ratio);
-  if (beams.fibres) fmt::print("  fibres {:.3g}", beams.fibres->stiffness_ratio);
+  if (beams.fibres) say("  fibres {:.3g}", beams.fibres->stiffness_ratio);
   const auto& e = trial.reached.front().young_modulus;
-  fmt::print("  -> E_L/E_T {:.3g}  ({:.2g} s)\n", e[0] / e[2], seconds);
+  say("  -> E_L/E_T {:.3g}  ({:.2g} s)\n", e[0] / e[2], seconds);
   std::fflush(stdout);
 }
 
 void print_result(const OrthotropicRequest& request, const OrthotropicCalibration& found) {
-  fmt::print("\n{:<6} {:>12} {:>12} {:>9} {:>8}\n", "", "wanted", "reached", "± one", "missed by");
+  say("\n{:<6} {:>12} {:>12} {:>9} {:>8}\n", "", "wanted", "reached", "± one", "missed by");
   for (std::size_t c = 0; c < 9; ++c) {
-    fmt::print("{:<6} {:>12} {:>12}", constant_names[c],
-               request.target[c] ? text_of(c, *request.target[c]) : "free",
-               text_of(c, found.mean[c]));
-    fmt::print(" {:>7.2g} %", 100 * found.deviation[c] / std::abs(found.mean[c]));
-    if (request.target[c])
-      fmt::print(" {:>+7.1f} %", 100 * (found.mean[c] / *request.target[c] - 1));
-    fmt::print("\n");
+    say("{:<6} {:>12} {:>12}", constant_names[c],
+        request.target[c] ? text_of(c, *request.target[c]) : "free", text_of(c, found.mean[c]));
+    say(" {:>7.2g} %", 100 * found.deviation[c] / std::abs(found.mean[c]));
+    if (request.target[c]) say(" {:>+7.1f} %", 100 * (found.mean[c] / *request.target[c] - 1));
+    say("\n");
   }
-  fmt::print("E_L/E_T {:.4g}, E_L/G_LT {:.4g}; from an orthotropic body {:.2g}\n",
-             found.mean[0] / found.mean[2], found.mean[0] / found.mean[4], found.coupling);
+  say("E_L/E_T {:.4g}, E_L/G_LT {:.4g}; from an orthotropic body {:.2g}\n",
+      found.mean[0] / found.mean[2], found.mean[0] / found.mean[4], found.coupling);
 }
 
 Json by_name(const NineConstants& values) {
@@ -78,7 +76,7 @@ Json json_of(const BeamParameters& beams) {
 }  // namespace
 
 int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>& specimens,
-                                const std::string& directory) {
+                                const std::string& directory, const ResultsFolder& folder) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const OrthotropicRequest& request = *scene.orthotropic_calibration;
@@ -95,8 +93,9 @@ int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>&
   const std::string sections =
       bond_sections({found.beams, scene.setup.get<PlasticityParameters>(),
                      scene.setup.get<RuptureParameters>(), scene.setup.get<ContactParameters>()});
+  folder.begin();
   replace_text_file(directory + "/calibrated.toml", sections);
-  fmt::print("\n{}\n-> {}/calibrated.toml\n", sections, directory);
+  say("\n{}\n-> {}/calibrated.toml\n", sections, directory);
 
   Json targets = Json::object(), trials = Json::array();
   for (std::size_t c = 0; c < 9; ++c)
@@ -124,7 +123,7 @@ int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>&
                                                   {"wall_seconds", seconds},
                                                   {"threads", omp_get_max_threads()},
                                                   {"hardware", to_json(hardware())}});
-  fmt::print("in all {:.3g} s\n", seconds);
+  say("in all {:.3g} s\n", seconds);
   if (found.misses.empty()) return 0;
   std::string misses;
   for (const std::string& miss : found.misses) misses += "\n  " + miss;

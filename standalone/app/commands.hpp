@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // The commands of the program, one function each. They print to stdout, warn on stderr, and throw
-// InputError and RunError.
+// InputError and RunError. None replaces what an earlier call wrote unless told to overwrite it.
 #ifndef SOLIDEM_APP_COMMANDS_HPP
 #define SOLIDEM_APP_COMMANDS_HPP
 
@@ -13,7 +13,7 @@ namespace solidem {
 struct RunCommand {
   std::string scene, output;
   int threads = 0;
-  bool resume = false, force = false, quiet = false;
+  bool resume = false, overwrite = false, force = false, quiet = false;
 };
 /// `solidem run`; the exit status: 0, or 130 when interrupted.
 int run_scene(const RunCommand& command);
@@ -22,14 +22,15 @@ int run_scene(const RunCommand& command);
 void explain_scene(const std::string& scene, bool json, bool force);
 
 /// `solidem prepare`: the specimen with all that another code needs.
-void prepare_scene(const std::string& scene, const std::string& output);
+void prepare_scene(const std::string& scene, const std::string& output, bool overwrite);
 
 /// `solidem specimen`: makes a scene's packing and prints its report.
-void make_scene_specimen(const std::string& scene, const std::string& output);
+void make_scene_specimen(const std::string& scene, const std::string& output, bool overwrite);
 
 struct CalibrateCommand {
   std::string scene, output;
   int threads = 0;
+  bool overwrite = false;
 };
 /// `solidem calibrate`: the parameters of the beams with which a body has given properties. The
 /// exit status.
@@ -43,6 +44,7 @@ struct SolveCommand {
   std::string rotations = "small";  ///< or "finite"
   int modes = 0;                    ///< natural vibrations to find
   int threads = 0;
+  bool overwrite = false;
   bool quiet = false;  ///< prints nothing of the way there
 };
 /// `solidem solve`: the static equilibrium of a bonded scene at the end of its run.
@@ -56,6 +58,7 @@ struct LawPlotCommand {
   std::string equilibrium, range, interpenetration;  ///< "": what the scene says, or the default
   double from = -1, to = -1;  ///< over the distance of equilibrium; below 0: what shows most
   std::string output;         ///< without its ending
+  bool overwrite = false;
 };
 /// `solidem law plot`: force, stiffness and potential as CSV and SVG.
 void plot_laws(const LawPlotCommand& command);
@@ -67,7 +70,7 @@ void list_keys(const std::string& section);
 std::string specimen_formats();
 
 /// `solidem convert`, `solidem info`.
-void convert_specimen(const std::string& from, const std::string& to);
+void convert_specimen(const std::string& from, const std::string& to, bool overwrite);
 void describe_specimen(const std::string& file);
 
 }  // namespace solidem

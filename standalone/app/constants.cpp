@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/say.hpp"
 #include "model/error.hpp"
 #include "scene/body.hpp"
 #include "solve/calibration/orthotropic_calibration.hpp"
@@ -48,33 +49,33 @@ void measure_constants(const std::string& path, bool json) {
   if (json) {
     Json figures = Json::object();
     for (std::size_t c = 0; c < 9; ++c) figures[constant_names[c]] = nine[c];
-    fmt::print("{}\n", Json{{"scene", scene.title},
-                            {"elements", specimen.size()},
-                            {"bonds", specimen.bonds.size()},
-                            {"fibres", fibres},
-                            {"axes",
-                             {{"L", json_of(axes.longitudinal)},
-                              {"R", json_of(axes.radial)},
-                              {"T", json_of(axes.tangential())}}},
-                            {"constants", figures},
-                            {"stiffness", measured.stiffness},
-                            {"compliance", inverse(measured.stiffness)},
-                            {"coupling", constants.coupling},
-                            {"asymmetry", measured.asymmetry},
-                            {"wall_seconds", seconds.count()}}
-                           .dump(2));
+    say("{}\n", Json{{"scene", scene.title},
+                     {"elements", specimen.size()},
+                     {"bonds", specimen.bonds.size()},
+                     {"fibres", fibres},
+                     {"axes",
+                      {{"L", json_of(axes.longitudinal)},
+                       {"R", json_of(axes.radial)},
+                       {"T", json_of(axes.tangential())}}},
+                     {"constants", figures},
+                     {"stiffness", measured.stiffness},
+                     {"compliance", inverse(measured.stiffness)},
+                     {"coupling", constants.coupling},
+                     {"asymmetry", measured.asymmetry},
+                     {"wall_seconds", seconds.count()}}
+                    .dump(2));
     return;
   }
-  fmt::print("{}: {} elements, {} bonds of which {} are fibres\n", scene.title, specimen.size(),
-             specimen.bonds.size(), fibres);
+  say("{}: {} elements, {} bonds of which {} are fibres\n", scene.title, specimen.size(),
+      specimen.bonds.size(), fibres);
   print_notes(notes_on(specimen, specimen.bonds));
-  fmt::print("L {}  R {}  T {}\n", text_of(axes.longitudinal), text_of(axes.radial),
-             text_of(axes.tangential()));
+  say("L {}  R {}  T {}\n", text_of(axes.longitudinal), text_of(axes.radial),
+      text_of(axes.tangential()));
   for (std::size_t c = 0; c < 9; ++c)
-    fmt::print("{:<6} {:.5g}{}\n", constant_names[c], c < 6 ? nine[c] / 1e9 : nine[c],
-               c < 6 ? " GPa" : "");
-  fmt::print("E_L/E_T {:.4g}, E_L/G_LT {:.4g}; from an orthotropic body {:.2g}  ({:.2g} s)\n",
-             nine[0] / nine[2], nine[0] / nine[4], constants.coupling, seconds.count());
+    say("{:<6} {:.5g}{}\n", constant_names[c], c < 6 ? nine[c] / 1e9 : nine[c],
+        c < 6 ? " GPa" : "");
+  say("E_L/E_T {:.4g}, E_L/G_LT {:.4g}; from an orthotropic body {:.2g}  ({:.2g} s)\n",
+      nine[0] / nine[2], nine[0] / nine[4], constants.coupling, seconds.count());
 }
 
 }  // namespace solidem

@@ -10,6 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/say.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/heat_exchange.hpp"
 #include "effects/kernels/kernels.hpp"
@@ -166,49 +167,48 @@ Json report_of(const Scene& scene, Simulation& simulation) {
 }
 
 void print(const Json& report) {
-  fmt::print("{}\n\nEffects\n", report["title"].get<std::string>());
+  say("{}\n\nEffects\n", report["title"].get<std::string>());
   for (const Json& effect : report["effects"])
-    fmt::print("  {:<24} asked for by {}\n", effect["name"].get<std::string>(),
-               effect["reason"].get<std::string>());
-  fmt::print("\nHot loops\n");
-  for (const Json& kernel : report["kernels"]) fmt::print("  {}\n", kernel.get<std::string>());
+    say("  {:<24} asked for by {}\n", effect["name"].get<std::string>(),
+        effect["reason"].get<std::string>());
+  say("\nHot loops\n");
+  for (const Json& kernel : report["kernels"]) say("  {}\n", kernel.get<std::string>());
 
   const auto elements = report["elements"].get<double>(), bonds = report["bonds"].get<double>();
-  fmt::print("\nColumns{:>21} {:>8}  asked by\n", "bytes", "per");
+  say("\nColumns{:>21} {:>8}  asked by\n", "bytes", "per");
   for (const Json& column : report["columns"]) {
     std::string askers;
     for (const Json& asker : column["asked_by"]) askers += " " + asker.get<std::string>();
-    fmt::print("  {:<22}{:>4} {:>8} {}\n", column["name"].get<std::string>(),
-               column["bytes"].get<int>(), column["site"].get<std::string>(), askers);
+    say("  {:<22}{:>4} {:>8} {}\n", column["name"].get<std::string>(), column["bytes"].get<int>(),
+        column["site"].get<std::string>(), askers);
   }
-  fmt::print(
-      "  a slot is one side of a bond (a conductor: of what conducts heat), 4 bytes more for its "
+  say("  a slot is one side of a bond (a conductor: of what conducts heat), 4 bytes more for its "
       "neighbour's number; {:.0f} slots for {:.0f} bonds\n",
       report["slots"].get<double>(), bonds);
-  fmt::print("  in all {:.0f} bytes an element, {:.1f} MB\n",
-             report["bytes"].get<double>() / elements, report["bytes"].get<double>() / 1e6);
+  say("  in all {:.0f} bytes an element, {:.1f} MB\n", report["bytes"].get<double>() / elements,
+      report["bytes"].get<double>() / 1e6);
 
   const Json& dt = report["time_step"];
   const auto step = report["seconds_per_step"].get<double>();
   const std::string limit = dt["limit"].is_number() && std::isfinite(dt["limit"].get<double>())
                                 ? fmt::format("stable up to {:.5g} s", dt["limit"].get<double>())
                                 : "stable at any length";
-  fmt::print("\nTime step {:.5g} s = {:.3g} x {:.5g} s ({}); {}\n", dt["value"].get<double>(),
-             dt["ratio"].get<double>(), dt["bound"].get<double>(),
-             dt["criterion"].get<std::string>(), limit);
+  say("\nTime step {:.5g} s = {:.3g} x {:.5g} s ({}); {}\n", dt["value"].get<double>(),
+      dt["ratio"].get<double>(), dt["bound"].get<double>(), dt["criterion"].get<std::string>(),
+      limit);
   if (report["laws"].contains("conduction")) {
     const Json& heat = report["laws"]["conduction"];
-    fmt::print("Conduction by the law {}, areas times {:.4g}\n", heat["law"].get<std::string>(),
-               heat["area_factor"].get<double>());
+    say("Conduction by the law {}, areas times {:.4g}\n", heat["law"].get<std::string>(),
+        heat["area_factor"].get<double>());
   }
   if (report.contains("integration"))
-    fmt::print("Heat in time: {}\n", report["integration"].get<std::string>());
-  fmt::print("Cost, measured here on {} thread(s), {}: {:.3g} ms a step, {:.3g} ns a bond-step\n",
-             report["threads"].get<int>(), report["instruction_set"].get<std::string>(), step * 1e3,
-             step * 1e9 / bonds);
-  fmt::print("{} elements, {} bonds, {} steps: about {:.3g} s\n", report["elements"].get<long>(),
-             report["bonds"].get<long>(), report["steps"].get<long>(),
-             step * report["steps"].get<double>());
+    say("Heat in time: {}\n", report["integration"].get<std::string>());
+  say("Cost, measured here on {} thread(s), {}: {:.3g} ms a step, {:.3g} ns a bond-step\n",
+      report["threads"].get<int>(), report["instruction_set"].get<std::string>(), step * 1e3,
+      step * 1e9 / bonds);
+  say("{} elements, {} bonds, {} steps: about {:.3g} s\n", report["elements"].get<long>(),
+      report["bonds"].get<long>(), report["steps"].get<long>(),
+      step * report["steps"].get<double>());
   print_notes(report["notes"].get<std::vector<std::string>>());
 }
 
@@ -219,7 +219,7 @@ void explain_scene(const std::string& path, bool json, bool force) {
   Simulation simulation(scene.setup, make_body(scene), force);
   const Json report = report_of(scene, simulation);
   if (json)
-    fmt::print("{}\n", report.dump(2));
+    say("{}\n", report.dump(2));
   else
     print(report);
 }

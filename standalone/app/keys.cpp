@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/say.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/key_table.hpp"
 #include "keys/nearest_name.hpp"
@@ -18,9 +19,9 @@ std::string heading(const EffectKind& kind, const std::string& section) {
 
 void print(const EffectKind& kind) {
   kind.visit_keys([&](const std::string& section, const std::vector<Key>& keys) {
-    fmt::print("### `{}`\n\n{}\n", heading(kind, section), key_table(keys));
+    say("### `{}`\n\n{}\n", heading(kind, section), key_table(keys));
   });
-  if (!kind.example.empty()) fmt::print("```toml\n{}```\n\n", kind.example);
+  if (!kind.example.empty()) say("```toml\n{}```\n\n", kind.example);
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 #include "app/commands.hpp"
 #include "app/law_curve.hpp"
 #include "app/law_words.hpp"
+#include "app/say.hpp"
 #include "model/error.hpp"
 #include "output/disk.hpp"
 #include "output/replace_file.hpp"
+#include "output/results_folder.hpp"
 #include "output/svg_plot.hpp"
 
 namespace solidem {
@@ -156,23 +158,22 @@ std::string with_prefix(double value, const char* unit) {
 
 void print_figures(const ShownLaw& law) {
   const LawFigures figures = figures_of(law);
-  fmt::print("{}\n", law.label);
-  fmt::print("  equilibrium at {}, well {} deep, stiffness there {}\n",
-             with_prefix(law.equilibrium, "m"), with_prefix(figures.well, "J"),
-             with_prefix(figures.stiffness, "N/m"));
-  fmt::print("  largest attraction {} at {:.6g} of it; {} where the range ends, at {:.4g}\n",
-             with_prefix(figures.attraction, "N"), figures.attraction_distance / law.equilibrium,
-             with_prefix(std::abs(figures.end_force), "N"), law.range);
-  fmt::print("  overlapping by {:.3g} %: {}, {:.4g} times as stiff; steps {:.3g} times as long\n",
-             100 * law.interpenetration, with_prefix(figures.deepest_force, "N"),
-             figures.deepest_stiffness / figures.stiffness,
-             std::sqrt(figures.stiffness / figures.deepest_stiffness));
+  say("{}\n", law.label);
+  say("  equilibrium at {}, well {} deep, stiffness there {}\n", with_prefix(law.equilibrium, "m"),
+      with_prefix(figures.well, "J"), with_prefix(figures.stiffness, "N/m"));
+  say("  largest attraction {} at {:.6g} of it; {} where the range ends, at {:.4g}\n",
+      with_prefix(figures.attraction, "N"), figures.attraction_distance / law.equilibrium,
+      with_prefix(std::abs(figures.end_force), "N"), law.range);
+  say("  overlapping by {:.3g} %: {}, {:.4g} times as stiff; steps {:.3g} times as long\n",
+      100 * law.interpenetration, with_prefix(figures.deepest_force, "N"),
+      figures.deepest_stiffness / figures.stiffness,
+      std::sqrt(figures.stiffness / figures.deepest_stiffness));
 }
 
 }  // namespace
 
 void list_laws() {
-  fmt::print("{}", list_of_laws());
+  say("{}", list_of_laws());
 }
 
 void plot_laws(const LawPlotCommand& command) {
@@ -190,12 +191,14 @@ void plot_laws(const LawPlotCommand& command) {
         fmt::format("--from {:g} --to {:g}: nothing lies between them; expected "
                     "distances over that of equilibrium, such as --from 0.7 --to 1.5",
                     from, to));
+  for (const char* ending : {".csv", ".svg"})
+    insist_on_new_file(command.output + ending, command.overwrite);
   const std::filesystem::path folder = std::filesystem::path(command.output).parent_path();
   if (!folder.empty()) prepare_directory(folder.string());
   replace_text_file(command.output + ".csv", table_of(laws, from, to));
   replace_text_file(command.output + ".svg", svg_of(plot_of(laws, from, to)));
   for (const ShownLaw& law : laws) print_figures(law);
-  fmt::print("{0}.csv, {0}.svg\n", command.output);
+  say("{0}.csv, {0}.svg\n", command.output);
 }
 
 }  // namespace solidem

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "app/commands.hpp"
+#include "app/standard_streams.hpp"
 #include "keys/nearest_name.hpp"
 #include "model/error.hpp"
 #include "output/summary.hpp"
@@ -29,10 +30,16 @@ void wait_patiently(char** argv) {
   execv("/proc/self/exe", argv);        // where that cannot be, all goes on as it is
 }
 
+/// The flag of every command that writes: `overwrite` says that results of before may go.
+CLI::Option* add_overwrite(CLI::App* command, bool& overwrite) {
+  return command->add_flag("--overwrite", overwrite, "replace what an earlier call wrote");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   wait_patiently(argv);
+  solidem::secure_standard_streams();
 #if defined(__GLIBC__)
   // Arrays larger than this get pages of their own, which go back to the system when they are
   // freed; left to itself glibc would soon keep them.
@@ -50,13 +57,14 @@ int main(int argc, char** argv) {
                       "folder for the results (default: the scene's name)");
   run_app->add_option("-t,--threads", run.threads, "number of threads (default: all processors)")
       ->check(CLI::Range(1, 4096));
-  run_app->add_flag("--resume", run.resume, "go on from the folder's checkpoint");
+  run_app->add_flag("--resume", run.resume, "go on from the folder's checkpoint")
+      ->excludes(add_overwrite(run_app, run.overwrite));
   run_app->add_flag("--force", run.force, "accept a time step beyond the stable limit");
   run_app->add_flag("-q,--quiet", run.quiet, "no progress bar");
   run_app->callback([&] { chosen = [&] { return solidem::run_scene(run); }; });
 
   std::string scene, output, from, to;
-  bool json = false, force = false;
+  bool json = false, force = false, overwrite = false;
   auto* explain = app.add_subcommand("explain", "Say what a scene simulates, and what it costs");
   explain->add_option("scene", scene, "scene file (TOML)")->required();
   explain->add_flag("--json", json, "for programs, all in SI units");
@@ -68,14 +76,17 @@ int main(int argc, char** argv) {
       app.add_subcommand("prepare", "Write a scene's specimen with all that another code needs");
   prepare->add_option("scene", scene, "scene file (TOML)")->required();
   prepare->add_option("-o,--output", output, "specimen file (.h5)")->required();
-  prepare->callback([&] { chosen = [&] { return solidem::prepare_scene(scene, output), 0; }; });
+  add_overwrite(prepare, overwrite);
+  prepare->callback(
+      [&] { chosen = [&] { return solidem::prepare_scene(scene, output, overwrite), 0; }; });
 
   auto* specimen =
       app.add_subcommand("specimen", "Make the specimen of a scene and print its report");
   specimen->add_option("scene", scene, "scene file (TOML)")->required();
   specimen->add_option("-o,--output", output, "specimen file (.h5, .data, .txt, .csv)")->required();
+  add_overwrite(specimen, overwrite);
   specimen->callback(
-      [&] { chosen = [&] { return solidem::make_scene_specimen(scene, output), 0; }; });
+      [&] { chosen = [&] { return solidem::make_scene_specimen(scene, output, overwrite), 0; }; });
 
   solidem::CalibrateCommand calibrate;
   auto* calibrate_app = app.add_subcommand(
@@ -86,6 +97,7 @@ int main(int argc, char** argv) {
                             "folder for the results (default: the scene's name)");
   calibrate_app->add_option("-t,--threads", calibrate.threads, "number of threads")
       ->check(CLI::Range(1, 4096));
+  add_overwrite(calibrate_app, calibrate.overwrite);
   calibrate_app->callback([&] { chosen = [&] { return solidem::calibrate_scene(calibrate); }; });
 
   auto* constants =
@@ -107,6 +119,7 @@ int main(int argc, char** argv) {
   solve_app
       ->add_option("-t,--threads", solve.threads, "number of threads (default: all processors)")
       ->check(CLI::Range(1, 4096));
+  add_overwrite(solve_app, solve.overwrite);
   solve_app->add_flag("-q,--quiet", solve.quiet, "print the result only");
   solve_app->callback([&] { chosen = [&] { return solidem::solve_scene(solve), 0; }; });
 
@@ -115,7 +128,9 @@ int main(int argc, char** argv) {
   convert->footer(solidem::specimen_formats());
   convert->add_option("from", from, "file to read")->required();
   convert->add_option("to", to, "file to write")->required();
-  convert->callback([&] { chosen = [&] { return solidem::convert_specimen(from, to), 0; }; });
+  add_overwrite(convert, overwrite);
+  convert->callback(
+      [&] { chosen = [&] { return solidem::convert_specimen(from, to, overwrite), 0; }; });
 
   auto* law = app.add_subcommand("law", "Laws of central force: what there is, how they look");
   law->require_subcommand(1);
@@ -138,6 +153,7 @@ int main(int argc, char** argv) {
   law_plot->add_option("--to", plot.to, "largest distance shown, over that of equilibrium")
       ->check(CLI::NonNegativeNumber);
   law_plot->add_option("-o,--output", plot.output, "name of the files, without ending")->required();
+  add_overwrite(law_plot, plot.overwrite);
   law_plot->callback([&] { chosen = [&] { return solidem::plot_laws(plot), 0; }; });
 
   std::string section;
@@ -161,7 +177,7 @@ int main(int argc, char** argv) {
   }
   CLI11_PARSE(app, argc, argv);
   try {
-    return chosen();
+    return solidem::status_with_output(chosen());
   } catch (const solidem::InputError& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return 2;

@@ -2,16 +2,16 @@
 #ifndef SOLIDEM_APP_NOTES_HPP
 #define SOLIDEM_APP_NOTES_HPP
 
-#include <fmt/format.h>
-
 #include <string>
 #include <vector>
+
+#include "app/say.hpp"
 
 namespace solidem {
 
 /// Prints "note: ..." lines.
 inline void print_notes(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) fmt::print("note: {}\n", note);
+  for (const std::string& note : notes) say("note: {}\n", note);
 }
 
 }  // namespace solidem

@@ -11,11 +11,12 @@
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/say.hpp"
 #include "effects/central_forces.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
 #include "model/error.hpp"
-#include "output/progress.hpp"
+#include "output/results_folder.hpp"
 #include "scene/body.hpp"
 #include "scene/fingerprint.hpp"
 #include "solve/heat/heat_integrator.hpp"
@@ -54,6 +55,10 @@ int run_scene(const RunCommand& command) {
                           ? std::filesystem::path(command.scene).stem().string() + ".results"
                           : command.output;
   options.resume = command.resume;
+  const ResultsFolder folder(options.directory, run_results(),
+                             command.resume      ? Earlier::keep
+                             : command.overwrite ? Earlier::replace
+                                                 : Earlier::refuse);
   options.quiet = command.quiet;
   options.interrupted = &interrupted;
 
@@ -65,33 +70,33 @@ int run_scene(const RunCommand& command) {
   options.wall_seconds["set-up"] = seconds_since(start);
 
   const Slots& slots = simulation.model().slots();
-  fmt::print("{}: {} elements, {} bonds, {} steps of {:.4g} s -> {}\n", scene.title,
-             simulation.model().elements(), slots.bonds(), simulation.steps_to_run(),
-             simulation.time_step().value, options.directory);
+  say("{}: {} elements, {} bonds, {} steps of {:.4g} s -> {}\n", scene.title,
+      simulation.model().elements(), slots.bonds(), simulation.steps_to_run(),
+      simulation.time_step().value, options.directory);
   print_notes(notes_of(simulation));
   if (simulation.time_step().value > simulation.time_step().limit)
-    fmt::print("warning: the time step is beyond the stable limit {:.4g} s, as forced\n",
-               simulation.time_step().limit);
+    say("warning: the time step is beyond the stable limit {:.4g} s, as forced\n",
+        simulation.time_step().limit);
   std::fflush(stdout);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to tell, not an end
   // All that ask a program to end: by the keyboard, by another program, as the terminal closes, and
   // as the time that the system grants runs out.
   for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) std::signal(signal, on_interrupt);
   if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup asks
+  folder.begin();
   const bool completed = run(simulation, options);
   if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
-    fmt::print("heat in time: {}\n", heat->integrator()->explanation());
+    say("heat in time: {}\n", heat->integrator()->explanation());
   if (const CentralForces* forces = simulation.find<CentralForces>();
       forces != nullptr && forces->has_exceeded())
-    fmt::print(
-        "note: elements came as near as {:.3g} of their equilibrium distance overlapping, the "
+    say("note: elements came as near as {:.3g} of their equilibrium distance overlapping, the "
         "scene "
         "allows for {:.3g}; beyond it the law went on with its slope there ([central_forces] "
         "interpenetration)\n",
         forces->largest_interpenetration(), forces->allowed_interpenetration());
   if (completed) return 0;
-  fmt::print("interrupted at step {}; go on with: solidem run {} --output {} --resume\n",
-             simulation.step(), command.scene, options.directory);
+  say("interrupted at step {}; go on with: solidem run {} --output {} --resume\n",
+      simulation.step(), command.scene, options.directory);
   return 130;
 }
 

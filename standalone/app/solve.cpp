@@ -9,11 +9,12 @@
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/say.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/nearest_name.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/error.hpp"
-#include "output/disk.hpp"
+#include "output/results_folder.hpp"
 #include "output/summary.hpp"
 #include "output/trajectory.hpp"
 #include "scene/body.hpp"
@@ -141,8 +142,8 @@ Equilibrium find_equilibrium(const StaticScene& body, const SolveCommand& comman
   FiniteOptions options;
   if (!command.quiet)
     options.report = [](double fraction, int corrections, double residual) {
-      fmt::print("  {:6.4f} of the loads and displacements after {} corrections, residual {:.2g}\n",
-                 fraction, corrections, residual);
+      say("  {:6.4f} of the loads and displacements after {} corrections, residual {:.2g}\n",
+          fraction, corrections, residual);
       std::fflush(stdout);
     };
   return finite_equilibrium(body.network, body.conditions.constraints, body.conditions.loads,
@@ -236,6 +237,8 @@ void solve_scene(const SolveCommand& command) {
   const std::string directory =
       command.output.empty() ? std::filesystem::path(command.scene).stem().string() + ".results"
                              : command.output;
+  const ResultsFolder folder(directory, run_results(),
+                             command.overwrite ? Earlier::replace : Earlier::refuse);
   std::map<std::string, double> seconds;
   auto start = Clock::now();
   const auto lap = [&](const char* phase) {
@@ -245,10 +248,8 @@ void solve_scene(const SolveCommand& command) {
   StaticScene body;
   set_up(scene, body);
   lap("set-up");
-  prepare_directory(directory);
-  fmt::print("{}: {} elements, {} bonds, {} rotations, at {:.4g} s -> {}\n", scene.title,
-             body.specimen.size(), body.network.bonds.size(), command.rotations, body.time,
-             directory);
+  say("{}: {} elements, {} bonds, {} rotations, at {:.4g} s -> {}\n", scene.title,
+      body.specimen.size(), body.network.bonds.size(), command.rotations, body.time, directory);
   std::fflush(stdout);
 
   Equilibrium equilibrium;
@@ -262,6 +263,7 @@ void solve_scene(const SolveCommand& command) {
   } catch (const InputError& error) {
     throw InputError(scene.path + ": " + error.what());
   }
+  folder.begin();
   write_trajectories(directory, body, equilibrium, modes);
   lap("output");
 
@@ -286,8 +288,8 @@ void solve_scene(const SolveCommand& command) {
   summary["residual"] = equilibrium.residual;
   summary["energy"] = {{"elastic_energy", equilibrium.energy}};
   summary["largest_bond_strain"] = largest_strain;
-  fmt::print("elastic energy {:.6g} J, residual {:.2g}, largest bond strain {:.3g}\n",
-             equilibrium.energy, equilibrium.residual, largest_strain);
+  say("elastic energy {:.6g} J, residual {:.2g}, largest bond strain {:.3g}\n", equilibrium.energy,
+      equilibrium.residual, largest_strain);
   if (scene.setup.gauge) {
     const GaugeMeasure gauge = measure_gauge(body.network, equilibrium, *scene.setup.gauge);
     const double lateral = 0.5 * (gauge.lateral_strain[0] + gauge.lateral_strain[1]);
@@ -295,8 +297,8 @@ void solve_scene(const SolveCommand& command) {
                         {"strain", gauge.strain},
                         {"lateral_strain", lateral},
                         {"lateral_strains", gauge.lateral_strain}};
-    fmt::print("gauge: stress {:.6g} Pa, strain {:.6g}, lateral strain {:.6g}\n", gauge.stress,
-               gauge.strain, lateral);
+    say("gauge: stress {:.6g} Pa, strain {:.6g}, lateral strain {:.6g}\n", gauge.stress,
+        gauge.strain, lateral);
   }
   for (const GripParameters& grip : scene.setup.all<GripParameters>()) {
     const GripAction action = grip_action(select(grip.region, body.specimen), body.conditions,
@@ -304,8 +306,7 @@ void solve_scene(const SolveCommand& command) {
     summary["grips"][grip.name] = {{"force", json_of(action.force)},
                                    {"moment", json_of(action.moment)},
                                    {"displacement", json_of(action.displacement)}};
-    fmt::print(
-        "grip {}: force ({:.6g}, {:.6g}, {:.6g}) N, displacement ({:.4g}, {:.4g}, {:.4g}) m\n",
+    say("grip {}: force ({:.6g}, {:.6g}, {:.6g}) N, displacement ({:.4g}, {:.4g}, {:.4g}) m\n",
         grip.name, action.force.x, action.force.y, action.force.z, action.displacement.x,
         action.displacement.y, action.displacement.z);
   }
@@ -318,7 +319,7 @@ void solve_scene(const SolveCommand& command) {
   for (const Mode& mode : modes) {
     summary["frequencies"].push_back(mode.frequency);
     summary["mode_residuals"].push_back(mode.residual);
-    fmt::print("mode {}: {:.6g} Hz\n", summary["frequencies"].size(), mode.frequency);
+    say("mode {}: {:.6g} Hz\n", summary["frequencies"].size(), mode.frequency);
   }
   add_notes(scene.setup, largest_strain, equilibrium, body.notes);
   print_notes(body.notes);

@@ -5,6 +5,8 @@
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/say.hpp"
+#include "output/results_folder.hpp"
 #include "scene/body.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/pieces.hpp"
@@ -48,29 +50,32 @@ files have the volume of their cells, cut at the spheres, and no walls, unless t
 ([specimen] volume, or shape and its measures).)";
 }
 
-void prepare_scene(const std::string& scene_path, const std::string& output) {
+void prepare_scene(const std::string& scene_path, const std::string& output, bool overwrite) {
+  insist_on_new_file(output, overwrite);
   const Scene scene = read_scene(scene_path);
   // Whether the step is stable is for the run to judge: other codes may take another step.
   const Simulation simulation(scene.setup, make_body(scene), true);
   write_prepared(output, simulation);
-  fmt::print("{}: {} elements, {} bonds\n", output, simulation.model().elements(),
-             simulation.model().slots().bonds());
+  say("{}: {} elements, {} bonds\n", output, simulation.model().elements(),
+      simulation.model().slots().bonds());
   print_notes(notes_on(simulation.model().specimen(), simulation.pairs()));
 }
 
-void make_scene_specimen(const std::string& scene_path, const std::string& output) {
+void make_scene_specimen(const std::string& scene_path, const std::string& output, bool overwrite) {
+  insist_on_new_file(output, overwrite);
   Specimen body = make_body(read_scene(scene_path));
   measure_specimen(body);
   write_specimen(output, body);
-  fmt::print("{}\n{}", output, format_report(body));
+  say("{}\n{}", output, format_report(body));
   print_notes(notes_on(body, body.bonds));
   print_notes(notes_on_format(body, output));
 }
 
-void convert_specimen(const std::string& from, const std::string& to) {
+void convert_specimen(const std::string& from, const std::string& to, bool overwrite) {
+  insist_on_new_file(to, overwrite);
   Specimen specimen = read_specimen(from);
   write_specimen(to, specimen);
-  fmt::print("{} -> {}: {} elements, {} bonds\n", from, to, specimen.size(), specimen.bonds.size());
+  say("{} -> {}: {} elements, {} bonds\n", from, to, specimen.size(), specimen.bonds.size());
   print_notes(notes_on_format(specimen, to));
   if (specimen.bonds.empty()) make_bonds(specimen, 0, BondImages::several);
   print_notes(notes_on(specimen, specimen.bonds));
@@ -80,7 +85,7 @@ void describe_specimen(const std::string& file) {
   Specimen specimen = read_specimen(file);
   if (specimen.bonds.empty()) make_bonds(specimen, 0, BondImages::several);
   measure_specimen(specimen);
-  fmt::print("{}\n{}", file, format_report(specimen));
+  say("{}\n{}", file, format_report(specimen));
   print_notes(notes_on(specimen, specimen.bonds));
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "effects/assembly.hpp"
 #include "effects/effect_kind.hpp"
@@ -187,6 +189,8 @@ double ElementContacts::stiffening() const {
 
 void ElementContacts::state(Archive& archive) {
   archive(bonded_anew_, broken_then_, skin_, candidates_, nearer_, surface_elements_, searched_at_);
+  if (archive.is_reading() && !searched_at_.empty() && searched_at_.size() != model_.elements())
+    throw std::out_of_range("places of " + std::to_string(searched_at_.size()) + " elements");
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "effects/assembly.hpp"
 #include "effects/bond_law_keys.hpp"
@@ -112,12 +113,16 @@ void Rupture::summarise(const Model& /*model*/, Summary& summary) const {
 
 void Rupture::state(Archive& archive) {
   archive(fracture_energy_, first_time_, broken_, removed_);
-  for (std::size_t k = 0; k < model_.slots().rows() * lanes; ++k) {
+  Slots& slots = model_.slots();
+  for (std::size_t k = 0; k < slots.rows() * lanes; ++k) {
     const Slots::Place place = Slots::place_of(k);
-    std::int32_t neighbour = model_.slots().neighbour_of(place);
+    if (slots.element_of(place) >= static_cast<std::int32_t>(slots.elements())) continue;
+    std::int32_t neighbour = slots.neighbour_of(place);
     archive(neighbour);
-    if (archive.is_reading()) model_.slots().set_neighbour(place, neighbour);
+    if (archive.is_reading()) slots.set_neighbour(place, neighbour);
   }
+  if (archive.is_reading() && !slots.is_symmetric())
+    throw std::out_of_range("a bond that only one of its elements has");
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -19,6 +20,7 @@
 #include "output/disk.hpp"
 #include "output/history.hpp"
 #include "output/progress.hpp"
+#include "output/results_folder.hpp"
 #include "output/summary.hpp"
 #include "output/trajectory.hpp"
 #include "solve/heat/heat_integrator.hpp"
@@ -110,7 +112,11 @@ class Recorder {
     // Under central forces, neighbours change: what is drawn are the elements.
     if (simulation.find<Beams>() != nullptr && simulation.setup().output.frames > 0)
       bonds_ = simulation.model().slots().pairs();
-    if (options.resume) restore();
+    state_.fingerprint = options.fingerprint;
+    if (options.resume)
+      restore();
+    else
+      state_.run = new_identity();
     first_step_ = simulation.step();
   }
 
@@ -186,7 +192,7 @@ class Recorder {
   void end_from_kept() {
     if (!kept_) return;
     try {
-      write_checkpoint(kept_->step, kept_->time, kept_->state);
+      write_checkpoint(kept_->step, kept_->time, std::move(kept_->state));
       write_summary(path("summary.json"), kept_->summary);
       std::printf("\ninterrupted within the step after %lld; go on with --resume\n",
                   static_cast<long long>(kept_->step));
@@ -202,7 +208,8 @@ class Recorder {
 
   void open() {
     const Phase phase(seconds_["output"]);
-    const HistoryRow row = simulation_.observe();
+    last_row_ = simulation_.observe();
+    const std::vector<std::string> columns = names_of(last_row_);
     const Model& model = simulation_.model();
     Specimen with_bonds;
     if (!bonds_.empty()) {
@@ -210,24 +217,52 @@ class Recorder {
       with_bonds.bonds = bonds_;
     }
     const Specimen& specimen = bonds_.empty() ? model.specimen() : with_bonds;
+    const bool has_frames = simulation_.setup().output.frames > 0;
     if (options_.resume) {
-      history_.emplace(HistoryWriter::resume(path("history.csv"), names_of(row), first_step_));
-      if (simulation_.setup().output.frames > 0)
-        trajectory_.emplace(TrajectoryWriter::resume(path("trajectory.h5"), specimen, first_step_));
+      resume_history(columns);
+      if (has_frames) resume_trajectory(specimen);
     } else {
-      history_.emplace(path("history.csv"), names_of(row));
-      if (simulation_.setup().output.frames > 0)
-        trajectory_.emplace(path("trajectory.h5"), specimen);
+      history_.emplace(path("history.csv"), columns);
+      if (has_frames) trajectory_.emplace(path("trajectory.h5"), specimen, state_.run);
     }
+  }
+
+  /// A history that somebody moved away begins anew; one that lost rows is refused.
+  void resume_history(const std::vector<std::string>& columns) {
+    if (std::error_code error; std::filesystem::exists(path("history.csv"), error)) {
+      history_.emplace(HistoryWriter::resume(path("history.csv"), columns, state_.history));
+      return;
+    }
+    note(path("history.csv") + " is missing: it begins anew at step " +
+         std::to_string(first_step_));
+    history_.emplace(path("history.csv"), columns);
+    write_row();
+  }
+
+  void resume_trajectory(const Specimen& specimen) {
+    trajectory_.emplace(
+        TrajectoryWriter::resume(path("trajectory.h5"), specimen, first_step_, state_.run));
+    for (const std::string& found : trajectory_->notes()) note(found);
+    const auto missing = state_.frames - static_cast<std::int64_t>(trajectory_->frames());
+    if (missing > 0)
+      note(std::to_string(missing) + " frames before step " + std::to_string(first_step_) +
+           " are missing in " + path("trajectory.h5"));
+  }
+
+  /// What the user should know, now and in the summary.
+  void note(const std::string& text) {
+    notes_.push_back(text);
+    std::fprintf(stderr, "note: %s\n", text.c_str());
   }
 
   void restore() {
     const CheckpointReader checkpoint(path("checkpoint.h5"), options_.fingerprint);
+    state_ = checkpoint.header();
     std::map<std::string, std::vector<double>> saved;
     for (const auto& [name, values] : simulation_.save())
       saved[name] =
           checkpoint.read<double>(name);  // sums may have grown since; columns are checked
-    simulation_.restore(checkpoint.header().step, saved);
+    simulation_.restore(state_.step, saved);
   }
 
   void write_row() {
@@ -266,11 +301,17 @@ class Recorder {
   }
 
   void write_checkpoint(std::int64_t step, double time,
-                        const std::map<std::string, std::vector<double>>& state) {
-    solidem::write_checkpoint(path("checkpoint.h5"), {step, time, options_.fingerprint},
+                        std::map<std::string, std::vector<double>> saved) {
+    state_.step = step;
+    state_.time = time;
+    state_.history = history_->mark();
+    state_.frames = trajectory_ ? static_cast<std::int64_t>(trajectory_->frames()) : 0;
+    solidem::write_checkpoint(path("checkpoint.h5"), state_,
                               [&](const CheckpointContents& contents) {
-                                for (const auto& [name, values] : state)
+                                for (auto& [name, values] : saved) {
                                   contents.write(name, values);
+                                  std::vector<double>().swap(values);  // it is held once
+                                }
                               });
   }
 
@@ -285,6 +326,7 @@ class Recorder {
     nlohmann::ordered_json summary;
     summary["solidem"] = version();
     summary["scene"] = options_.scene;
+    summary["run"] = state_.run;
     summary["completed"] = completed;
     if (!reason.empty()) summary["stopped"] = reason;
     for (const PlannedEffect& effect : simulation_.plan().effects)
@@ -324,12 +366,13 @@ class Recorder {
   }
 
   Simulation& simulation_;
-  const std::vector<std::string> notes_ = notes_of(simulation_);  ///< of the start
   const RunOptions& options_;
   std::map<std::string, double> seconds_;
   std::vector<Pair> bonds_;  ///< at the start, where they are drawn
   std::int64_t first_step_ = 0;
   HistoryRow last_row_{};
+  CheckpointHeader state_;                                  ///< of the last checkpoint
+  std::vector<std::string> notes_ = notes_of(simulation_);  ///< of the start, and on the way
   std::optional<HistoryWriter> history_;
   std::optional<TrajectoryWriter> trajectory_;
   double seconds_per_step_ = 1;  ///< of the last ones; at first as if they were long

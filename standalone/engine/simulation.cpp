@@ -17,6 +17,7 @@
 #include "engine/sensors.hpp"
 #include "engine/stability.hpp"
 #include "model/error.hpp"
+#include "output/digest.hpp"
 #include "solve/heat/heat_integrator.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/pieces.hpp"
@@ -31,20 +32,29 @@ constexpr std::int64_t check_every = 256;  // steps between two looks at the ene
 constexpr double most_steps = 1e15;        // that a double counts exactly
 constexpr double same_length = 1e-9;       // of a step: less is round-off
 
-/// Figures by which a checkpoint knows the specimen that it was made of.
+/// All of the specimen that a run begins with, as figures that a checkpoint can hold: how many
+/// elements and bonds, and a digest of where they are, of which size, and who is bonded.
 std::vector<double> marks_of(const Model& model) {
-  Vector position{};
-  double radius = 0;
-  for (std::size_t i = 0; i < model.elements(); ++i) {
-    position += model.specimen().position[i];
-    radius += model.specimen().radius[i];
-  }
-  return {static_cast<double>(model.elements()),
-          static_cast<double>(model.slots().bonds()),
-          position.x,
-          position.y,
-          position.z,
-          radius};
+  const Specimen& specimen = model.specimen();
+  Digest digest;
+  digest.add(specimen.position);
+  digest.add(specimen.radius);
+  digest.add(model.slots().pairs());
+  const Domain& domain = specimen.domain;
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.periodic[axis]) digest.add(std::vector<Vector>{domain.lower, domain.upper});
+  std::vector<double> marks{static_cast<double>(model.elements()),
+                            static_cast<double>(model.slots().bonds())};
+  const std::string digits = digest.hexadecimal();
+  constexpr std::size_t piece = 8;  // digits, which a double holds exactly
+  for (std::size_t k = 0; k < digits.size(); k += piece)
+    marks.push_back(static_cast<double>(std::stoul(digits.substr(k, piece), nullptr, 16)));
+  return marks;
+}
+
+/// Whether an array holds what no run can go on from.
+bool has_nan(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
 }
 
 std::vector<double> densities(const std::vector<Material>& materials,
@@ -89,6 +99,7 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   for (const auto& effect : effects_) effect->start(model_, duration);
   if (heat_ != nullptr) heat_->start();
   record_initial_energy();
+  specimen_marks_ = marks_of(model_);
   // Of bonds that are strained by round-off, with a wide margin.
   if (mechanics_ != nullptr)
     round_off_energy_ =
@@ -360,8 +371,12 @@ std::map<std::string, std::vector<double>> Simulation::save() const {
   for (const PlannedColumn& planned : plan_.columns) {
     if (!changes(*planned.column)) continue;
     const double* data = model_.data(*planned.column);
-    saved[std::string("column.") + planned.column->name] =
-        std::vector<double>(data, data + model_.size(*planned.column));
+    std::vector<double>& values = saved[std::string("column.") + planned.column->name];
+    values.assign(data, data + model_.size(*planned.column));
+    if (has_nan(values))
+      throw RunError("the run diverged: " + std::string(planned.column->name) +
+                     " is not a number at step " + std::to_string(step_) +
+                     "; an earlier checkpoint stays");
   }
   for (std::size_t k = 0; k < effects_.size(); ++k) {
     Archive archive;
@@ -374,7 +389,7 @@ std::map<std::string, std::vector<double>> Simulation::save() const {
   saved["clock"] = {time_, last_length_, static_cast<double>(origin_step_), origin_time_};
   if (heat_ != nullptr && heat_->integrator() != nullptr)
     saved["integrator"] = heat_->integrator()->save();
-  saved["specimen"] = marks_of(model_);
+  saved["specimen"] = specimen_marks_;
   return saved;
 }
 
@@ -386,14 +401,20 @@ void Simulation::restore(std::int64_t step,
       throw InputError("the checkpoint has no " + name + ": it is of another scene");
     return found->second;
   };
-  if (kept("specimen") != marks_of(model_))
+  const auto number = [&](const std::string& name) {
+    if (kept(name).size() != 1 || !std::isfinite(kept(name)[0]))
+      throw InputError("the checkpoint's " + name + " is no number");
+    return kept(name)[0];
+  };
+  if (step < 0) throw InputError("the checkpoint's step " + std::to_string(step) + " is below 0");
+  if (kept("specimen") != specimen_marks_)
     throw InputError(
         "the checkpoint was made of another specimen; resume with the one it began with");
-  if (step_follows_duration()) time_step_.value = kept("time_step").at(0);
-  if (kept("time_step").at(0) != time_step_.value)
-    throw InputError("the checkpoint was made with a time step of " +
-                     text(kept("time_step").at(0)) + " s, the scene asks for " +
-                     text(time_step_.value) + " s; resume with the same");
+  if (step_follows_duration()) time_step_.value = number("time_step");
+  if (number("time_step") != time_step_.value)
+    throw InputError("the checkpoint was made with a time step of " + text(number("time_step")) +
+                     " s, the scene asks for " + text(time_step_.value) +
+                     " s; resume with the same");
   for (const PlannedColumn& planned : plan_.columns) {
     if (!changes(*planned.column)) continue;
     const std::vector<double>& values = kept(std::string("column.") + planned.column->name);
@@ -401,24 +422,39 @@ void Simulation::restore(std::int64_t step,
       throw InputError(std::string("the checkpoint's column ") + planned.column->name + " has " +
                        std::to_string(values.size()) + " values, this specimen needs " +
                        std::to_string(model_.size(*planned.column)));
+    if (has_nan(values))
+      throw InputError(std::string("the checkpoint's column ") + planned.column->name +
+                       " holds what is not a number");
     std::copy(values.begin(), values.end(), model_.data(*planned.column));
   }
+  const auto restore_as = [](const std::string& name, const auto& restore_it) {
+    try {
+      restore_it();
+    } catch (const std::out_of_range& error) {
+      throw InputError("the checkpoint's " + name + " does not fit: " + error.what());
+    }
+  };
   for (std::size_t k = 0; k < effects_.size(); ++k) {
     Archive now;
     effects_[k]->state(now);
     if (now.values().empty()) continue;
-    Archive then(kept("effect." + plan_.effects[k].name));
-    effects_[k]->state(then);
+    const std::string name = "effect." + plan_.effects[k].name;
+    Archive then(kept(name), model_.elements());
+    restore_as(name, [&] {
+      effects_[k]->state(then);
+      if (!then.is_at_end()) throw std::out_of_range("there are more numbers than expected");
+    });
   }
   if (heat_ != nullptr && heat_->integrator() != nullptr)
-    heat_->integrator()->restore(kept("integrator"));
-  initial_energy_ = kept("initial_energy").at(0);
-  largest_work_ = kept("largest_work").at(0);
+    restore_as("integrator", [&] { heat_->integrator()->restore(kept("integrator")); });
+  initial_energy_ = number("initial_energy");
+  largest_work_ = number("largest_work");
   const std::vector<double>& clock = kept("clock");
-  time_ = clock.at(0);
-  last_length_ = clock.at(1);
-  origin_step_ = static_cast<std::int64_t>(clock.at(2));
-  origin_time_ = clock.at(3);
+  if (clock.size() != 4 || has_nan(clock)) throw InputError("the checkpoint's clock does not fit");
+  time_ = clock[0];
+  last_length_ = clock[1];
+  origin_step_ = static_cast<std::int64_t>(clock[2]);
+  origin_time_ = clock[3];
   step_ = step;
 }
 

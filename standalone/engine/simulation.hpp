@@ -141,6 +141,7 @@ class Simulation {
   std::vector<std::unique_ptr<Observer>> observers_;
   Mechanics* mechanics_ = nullptr;  ///< what moves elements, if anything does
   std::unique_ptr<Heat> heat_;
+  std::vector<double> specimen_marks_;  ///< by which a checkpoint knows what it was made of
   double initial_energy_ = 0;
   double largest_work_ = 0;      ///< that was ever in the body, J
   double round_off_energy_ = 0;  ///< J

@@ -20,13 +20,19 @@ class Archive {
  public:
   /// To write to.
   Archive() = default;
-  /// To read from.
-  explicit Archive(std::vector<double> values) : values_(std::move(values)), reading_(true) {}
+  /// To read from the state of a body of so many elements.
+  Archive(std::vector<double> values, std::size_t elements)
+      : values_(std::move(values)), elements_(elements), reading_(true) {}
 
   bool is_reading() const { return reading_; }
   const std::vector<double>& values() const { return values_; }
 
-  /// Writes or reads each of them. Reading beyond the end throws std::out_of_range.
+  /// Whether all that was written has been read.
+  bool is_at_end() const { return at_ == values_.size(); }
+
+  /// Writes or reads each of them. Reading throws std::out_of_range beyond the end, for a number
+  /// that its type cannot hold, and for a std::int32_t, always the number of an element, that none
+  /// has.
   template <class... Values>
   void operator()(Values&... values) {
     (visit(values), ...);
@@ -43,10 +49,14 @@ class Archive {
   void number(Number& value) {
     auto as_double = static_cast<double>(value);
     visit(as_double);
+    if (reading_) insist_on_integer(as_double);
     value = static_cast<Number>(as_double);
   }
   void visit(bool& value) { number(value); }
-  void visit(std::int32_t& value) { number(value); }
+  void visit(std::int32_t& value) {
+    number(value);
+    if (reading_) insist_on_element(value);
+  }
   void visit(std::int64_t& value) { number(value); }
   void visit(std::size_t& value) { number(value); }
   void visit(char& value) { number(value); }
@@ -86,11 +96,13 @@ class Archive {
     value.state(*this);
   }
 
+  static void insist_on_integer(double value);
+  void insist_on_element(std::int32_t value) const;
   /// A list cannot have more entries than there are numbers left.
   std::size_t checked(std::size_t size) const;
 
   std::vector<double> values_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, elements_ = 0;
   bool reading_ = false;
 };
 

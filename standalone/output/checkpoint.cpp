@@ -6,22 +6,20 @@
 #include "model/error.hpp"
 #include "output/disk.hpp"
 #include "output/first_difference.hpp"
-#include "output/replace_file.hpp"
 
 namespace solidem {
 
 namespace {
 
 constexpr char format_name[] = "solidem checkpoint";
-constexpr int format_version = 1;
-constexpr std::uint64_t room_for_structure = 1 << 14;  // HDF5's own: headers, names, attributes
+constexpr int format_version = 2;
 
 /// Opens a file and insists that it is a checkpoint that this version reads.
 Hdf5File open_checkpoint(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw InputError(path + ": there is no checkpoint to resume from");
-  Hdf5File file = Hdf5File::open(path);
+  Hdf5File file = Hdf5File::open(path, Seal::present);
   if (!file.has_attribute("format") || file.text_attribute("format") != format_name)
     throw InputError(path + ": is no checkpoint of solidem");
   if (const std::int64_t version = file.integer_attribute("version"); version != format_version)
@@ -32,16 +30,8 @@ Hdf5File open_checkpoint(const std::string& path) {
 
 }  // namespace
 
-CheckpointContents::CheckpointContents(const Hdf5Group& root, std::string temporary,
-                                       std::string path)
-    : arrays_(root.make_group("arrays")),
-      values_(root.make_group("values")),
-      temporary_(std::move(temporary)),
-      path_(std::move(path)) {}
-
-void CheckpointContents::secure(std::uint64_t bytes) const {
-  reserve_space(temporary_, bytes + room_for_structure, path_, "");
-}
+CheckpointContents::CheckpointContents(const Hdf5Group& root)
+    : arrays_(root.make_group("arrays")), values_(root.make_group("values")) {}
 
 void CheckpointContents::write(const std::string& name, double value) const {
   values_.set_attribute(name, value);
@@ -57,17 +47,21 @@ void write_checkpoint(const std::string& path, const CheckpointHeader& header,
   std::error_code error;
   const bool earlier = std::filesystem::exists(path, error);
   try {
-    replace_file(path, [&](const std::string& temporary) {
-      reserve_space(temporary, room_for_structure, path, "");
-      Hdf5File file = Hdf5File::create(temporary);
-      file.set_attribute("format", format_name);
-      file.set_attribute("version", format_version);
-      file.set_attribute("step", header.step);
-      file.set_attribute("time", header.time);
-      file.set_attribute("fingerprint", header.fingerprint);
-      fill(CheckpointContents(file, temporary, path));
-      file.close();
-    });
+    replace_hdf5_file(
+        path,
+        [&](const Hdf5File& file) {
+          file.set_attribute("format", format_name);
+          file.set_attribute("version", format_version);
+          file.set_attribute("step", header.step);
+          file.set_attribute("time", header.time);
+          file.set_attribute("fingerprint", header.fingerprint);
+          file.set_attribute("run", header.run);
+          file.set_attribute("history_bytes", header.history.bytes);
+          file.set_attribute("history_digest", header.history.digest);
+          file.set_attribute("frames", header.frames);
+          fill(CheckpointContents(file));
+        },
+        Seal::present);
   } catch (const RunError& failure) {
     throw RunError("no checkpoint of step " + std::to_string(header.step) + ": " + failure.what() +
                    (earlier ? "; the checkpoint from before is unchanged" : ""));
@@ -84,8 +78,12 @@ CheckpointReader::CheckpointReader(const std::string& path, const std::string& f
 }
 
 CheckpointReader::CheckpointReader(const Hdf5File& file)
-    : header_{file.integer_attribute("step"), file.number_attribute("time"),
-              file.text_attribute("fingerprint")},
+    : header_{file.integer_attribute("step"),
+              file.number_attribute("time"),
+              file.text_attribute("fingerprint"),
+              file.text_attribute("run"),
+              {file.integer_attribute("history_bytes"), file.text_attribute("history_digest")},
+              file.integer_attribute("frames")},
       arrays_(file.group("arrays")),
       values_(file.group("values")) {}
 

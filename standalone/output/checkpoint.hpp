@@ -3,9 +3,12 @@
 // Checkpoints: everything a run needs to go on, in one HDF5 file. This container knows names and
 // numbers only; what they mean is the engine's affair.
 //
-//   /        attributes format, version, step, time, fingerprint
+//   /        attributes format, version, step, time, fingerprint, run, frames, history_bytes,
+//            history_digest
 //   /arrays  one dataset for each named array
 //   /values  attributes: single numbers
+//
+// The file ends with a seal (output/seal.hpp): one that is damaged is refused.
 #ifndef SOLIDEM_OUTPUT_CHECKPOINT_HPP
 #define SOLIDEM_OUTPUT_CHECKPOINT_HPP
 
@@ -15,6 +18,7 @@
 #include <vector>
 
 #include "output/hdf5.hpp"
+#include "output/history.hpp"
 
 namespace solidem {
 
@@ -23,6 +27,9 @@ struct CheckpointHeader {
   std::int64_t step = 0;
   double time = 0;          ///< s
   std::string fingerprint;  ///< same scene and specimen, same fingerprint
+  std::string run;          ///< identity of the run
+  HistoryMark history{};    ///< as far as it was then; it is on the disk
+  std::int64_t frames = 0;  ///< of the trajectory then; they are on the disk
 };
 
 /// A checkpoint that is being written.
@@ -31,7 +38,6 @@ class CheckpointContents {
   /// Adds an array; T is double, std::int64_t, std::int32_t or std::uint8_t.
   template <class T>
   void write(const std::string& name, const std::vector<T>& values) const {
-    secure(values.size() * sizeof(T));
     arrays_.write(name, values);
   }
   /// Adds a single number.
@@ -41,11 +47,9 @@ class CheckpointContents {
  private:
   friend void write_checkpoint(const std::string&, const CheckpointHeader&,
                                const std::function<void(const CheckpointContents&)>&);
-  CheckpointContents(const Hdf5Group& root, std::string temporary, std::string path);
-  void secure(std::uint64_t bytes) const;
+  explicit CheckpointContents(const Hdf5Group& root);
 
   Hdf5Group arrays_, values_;
-  std::string temporary_, path_;
 };
 
 /// Writes a checkpoint: `fill` writes the contents. The file takes its name when it is whole and on
@@ -56,7 +60,7 @@ void write_checkpoint(const std::string& path, const CheckpointHeader& header,
 /// A checkpoint to go on from.
 class CheckpointReader {
  public:
-  /// Opens a checkpoint. InputError if it is not there, cut short, none of ours, of another
+  /// Opens a checkpoint. InputError if it is not there, damaged anywhere, none of ours, of another
   /// version, or its fingerprint is not this one.
   CheckpointReader(const std::string& path, const std::string& fingerprint);
 

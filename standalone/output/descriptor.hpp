@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <string>
+#include <string_view>
 #include <utility>
 
 namespace solidem {
@@ -36,12 +36,11 @@ class Descriptor {
   int get() const { return descriptor_; }
 
   /// Writes every byte or returns false.
-  bool write_all(const std::string& text) const {
-    std::size_t done = 0;
-    while (done < text.size()) {
-      const ssize_t count = ::write(descriptor_, text.data() + done, text.size() - done);
+  bool write_all(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
       if (count > 0) {
-        done += static_cast<std::size_t>(count);
+        bytes.remove_prefix(static_cast<std::size_t>(count));
       } else if (count == 0 || errno != EINTR) {
         if (count == 0) errno = ENOSPC;
         return false;
@@ -49,6 +48,12 @@ class Descriptor {
     }
     return true;
   }
+
+  /// Waits until all that was written is on the disk; false if it will never be there.
+  bool sync() const { return ::fsync(descriptor_) == 0; }
+
+  /// Closes now; false if something that was written is lost.
+  bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
 
  private:
   int descriptor_;

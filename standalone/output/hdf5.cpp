@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "model/error.hpp"
+#include "output/replace_file.hpp"
+#include "output/seal.hpp"
 
 namespace solidem {
 
@@ -15,7 +18,7 @@ static_assert(sizeof(hid_t) == sizeof(std::int64_t), "HDF5 1.10 or later has 64-
 
 namespace {
 
-using Handle = std::shared_ptr<const std::int64_t>;
+using Handle = std::shared_ptr<std::int64_t>;
 
 template <class Close>
 Handle owned(hid_t id, Close close) {
@@ -25,8 +28,12 @@ Handle owned(hid_t id, Close close) {
   });
 }
 
-// No file locks: ParaView or a script may hold a file open while a run adds to it. Readers see what
-// was flushed last.
+/// Closes now. HDF5 may put off to this moment what it was asked to write, so it may fail.
+bool is_closed(const Handle& handle, herr_t (*close)(hid_t)) {
+  return close(std::exchange(*handle, -1)) >= 0;
+}
+
+// No file locks: ParaView or a script may hold a file open while a run replaces it.
 // (Property lists live on: closing one would wipe the reason of a failure that is still to be
 // told.)
 hid_t without_locks() {
@@ -38,10 +45,19 @@ hid_t without_locks() {
   return *list;
 }
 
+/// Files that HDF5 keeps in memory and writes nowhere.
+hid_t memory_only() {
+  constexpr std::size_t growth = std::size_t{1} << 20;
+  static const Handle list = [] {
+    Handle made = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_fapl_core(*made, growth, false);
+    return made;
+  }();
+  return *list;
+}
+
 // Before any other call to HDF5. Errors are told by exceptions, not by the library's own print on
-// the terminal. And the library must not tidy up at exit: our handles close what they opened, and a
-// file whose last write failed (a full disk) cannot be closed, on which the library's tidying
-// crashes the program.
+// the terminal. And the library need not tidy up at exit: our handles close what they opened.
 void prepare_library() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -99,6 +115,16 @@ hid_t parents_too() {
   static const Handle list = [] {
     Handle made = owned(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(*made, 1);
+    return made;
+  }();
+  return *list;
+}
+
+/// Datasets do not say when they were made, so that equal contents are equal files.
+hid_t without_times() {
+  static const Handle list = [] {
+    Handle made = owned(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(*made, false);
     return made;
   }();
   return *list;
@@ -198,6 +224,13 @@ void Hdf5Group::remove(const std::string& name) const {
   if (H5Ldelete(id(), name.c_str(), H5P_DEFAULT) < 0) fail_writing(name);
 }
 
+void Hdf5Group::link(const std::string& name, const std::string& file,
+                     const std::string& object) const {
+  if (H5Lcreate_external(file.c_str(), object.c_str(), id(), name.c_str(), parents_too(),
+                         H5P_DEFAULT) < 0)
+    fail_writing(name);
+}
+
 std::vector<std::size_t> Hdf5Group::shape(const std::string& name) const {
   insist_there_is(name);
   const Handle set = owned(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose);
@@ -237,12 +270,13 @@ void Hdf5Group::write(const std::string& name, const T* values,
                       const std::vector<std::size_t>& shape) const {
   const Handle space = dataspace(shape);
   const Handle set = owned(H5Dcreate2(id(), name.c_str(), memory_type<T>(), *space, parents_too(),
-                                      H5P_DEFAULT, H5P_DEFAULT),
+                                      without_times(), H5P_DEFAULT),
                            H5Dclose);
   if (*set < 0) fail_writing(name);
   const bool empty = std::find(shape.begin(), shape.end(), std::size_t{0}) != shape.end();
   if (!empty && H5Dwrite(*set, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
     fail_writing(name);
+  if (!is_closed(set, H5Dclose)) fail_writing(name);
 }
 
 namespace {
@@ -250,10 +284,11 @@ namespace {
 // Makes the attribute anew and fills it; false when HDF5 refuses.
 bool put_attribute(hid_t object, const std::string& name, hid_t type, hid_t space,
                    const void* values) {
-  if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
+  if (H5Aexists(object, name.c_str()) > 0 && H5Adelete(object, name.c_str()) < 0) return false;
   const Handle attribute =
       owned(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  return *attribute >= 0 && H5Awrite(*attribute, type, values) >= 0;
+  return *attribute >= 0 && H5Awrite(*attribute, type, values) >= 0 &&
+         is_closed(attribute, H5Aclose);
 }
 
 }  // namespace
@@ -338,15 +373,34 @@ std::string Hdf5Group::text_attribute(const std::string& name) const {
   return text.data();
 }
 
-Hdf5File::Hdf5File(const Handle& file, std::string path)
-    : Hdf5Group(file, file, path + ":/"), path_(std::move(path)) {}
+Hdf5File::Hdf5File(const Handle& file, const std::string& path)
+    : Hdf5Group(file, file, path + ":/") {}
 
-Hdf5File Hdf5File::open(const std::string& path) {
+namespace {
+
+/// What is damaged is not for HDF5 to take apart, which need not survive it.
+void insist_on_seal(const std::string& path, Seal seal) {
+  const SealState found = check_seal(path);
+  if (found == SealState::broken)
+    throw InputError(path +
+                     ": is damaged, its bytes are not those that were written (the seal at its end "
+                     "does not fit)");
+  if (found == SealState::absent && seal == Seal::present)
+    throw InputError(
+        path +
+        ": has no seal at its end: it is cut short, was changed by another program, or "
+        "is of an earlier version of solidem");
+}
+
+}  // namespace
+
+Hdf5File Hdf5File::open(const std::string& path, Seal seal) {
   prepare_library();
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
   if (std::filesystem::is_directory(path, error))
     throw InputError(path + ": is a directory, expected an HDF5 file");
+  insist_on_seal(path, seal);
   const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, without_locks()), H5Fclose);
   if (*file >= 0) return {file, path};
   const std::string why = reason();
@@ -359,27 +413,39 @@ Hdf5File Hdf5File::open(const std::string& path) {
 Hdf5File Hdf5File::open_for_writing(const std::string& path) {
   prepare_library();
   const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, without_locks()), H5Fclose);
-  if (*file < 0) throw RunError("cannot open " + path + " to add to it: " + reason());
+  if (*file < 0) throw RunError("cannot open " + path + " to change it: " + reason());
   return {file, path};
 }
 
-Hdf5File Hdf5File::create(const std::string& path) {
+Hdf5File Hdf5File::in_memory(const std::string& path) {
   prepare_library();
   const Handle file =
-      owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, without_locks()), H5Fclose);
-  if (*file < 0) throw RunError("cannot write " + path + ": " + reason());
+      owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, memory_only()), H5Fclose);
+  if (*file < 0) throw RunError("cannot make " + path + " in memory: " + reason());
   return {file, path};
 }
 
-void Hdf5File::flush() const {
-  if (H5Fflush(*file_, H5F_SCOPE_LOCAL) < 0)
-    throw RunError("cannot write " + path_ + ": " + reason());
+std::string_view Hdf5File::image() const {
+  void** bytes = nullptr;
+  if (H5Fflush(*file_, H5F_SCOPE_GLOBAL) >= 0) {
+    const ssize_t size = H5Fget_file_image(*file_, nullptr, 0);
+    if (size > 0 && H5Fget_vfd_handle(*file_, H5P_DEFAULT, reinterpret_cast<void**>(&bytes)) >= 0)
+      return {static_cast<const char*>(*bytes), static_cast<std::size_t>(size)};
+  }
+  throw RunError("cannot make " + where_ + " in memory: " + reason());
 }
 
 void Hdf5File::close() {
-  flush();
-  group_.reset();
-  file_.reset();
+  if (!is_closed(file_, H5Fclose)) throw RunError("cannot write " + where_ + ": " + reason());
+}
+
+void replace_hdf5_file(const std::string& path, const std::function<void(const Hdf5File&)>& fill,
+                       Seal seal) {
+  const Hdf5File file = Hdf5File::in_memory(path);
+  fill(file);
+  const std::string_view content = file.image();
+  if (seal == Seal::absent) return replace_file(path, {content});
+  replace_file(path, {content, seal_of(content)});
 }
 
 #define SOLIDEM_HDF5_TYPE(T)                                                                       \

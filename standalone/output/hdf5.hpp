@@ -2,13 +2,18 @@
 //
 // HDF5 files as C++ objects: handles that close themselves, errors that name file and object.
 // Reading throws InputError (the file is not what it should be), writing throws RunError.
+//
+// Files are made in memory and put on the disk whole (replace_hdf5_file): HDF5 itself writes to no
+// file, so none of its writes can fail halfway, and no file is ever seen before it is complete.
 #ifndef SOLIDEM_OUTPUT_HDF5_HPP
 #define SOLIDEM_OUTPUT_HDF5_HPP
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace solidem {
@@ -32,6 +37,9 @@ class Hdf5Group {
 
   /// Removes a dataset or a group.
   void remove(const std::string& name) const;
+
+  /// Makes a link to an object of another file, named as seen from the folder of this one.
+  void link(const std::string& name, const std::string& file, const std::string& object) const;
 
   /// Extents of a dataset.
   std::vector<std::size_t> shape(const std::string& name) const;
@@ -77,7 +85,7 @@ class Hdf5Group {
   const std::string& where() const { return where_; }
 
  protected:
-  using Handle = std::shared_ptr<const std::int64_t>;  // an hid_t that knows how to close
+  using Handle = std::shared_ptr<std::int64_t>;  // an hid_t that knows how to close
   Hdf5Group(Handle file, Handle group, std::string where)
       : file_(std::move(file)), group_(std::move(group)), where_(std::move(where)) {}
   std::int64_t id() const { return *group_; }
@@ -89,24 +97,33 @@ class Hdf5Group {
   std::string where_;
 };
 
+/// Whether a file ends with a seal (output/seal.hpp).
+enum class Seal { absent, present };
+
 /// An open HDF5 file, itself the root group.
 class Hdf5File : public Hdf5Group {
  public:
-  static Hdf5File open(const std::string& path);              ///< to read; throws InputError
-  static Hdf5File open_for_writing(const std::string& path);  ///< to read and add; throws RunError
-  static Hdf5File create(const std::string& path);            ///< anew; throws RunError
+  /// To read; throws InputError, also where the file has a seal that does not hold. With
+  /// Seal::present, it must have one.
+  static Hdf5File open(const std::string& path, Seal seal = Seal::absent);
+  /// To change what is in a file on the disk; throws RunError.
+  static Hdf5File open_for_writing(const std::string& path);
+  /// A new file in memory; `path` is for messages. Throws RunError.
+  static Hdf5File in_memory(const std::string& path);
 
-  /// Hands everything written so far to the system, so that a killed program leaves a readable
-  /// file.
-  void flush() const;
-  /// Writes what is left and closes; throws RunError when that fails (a full disk shows here). The
-  /// destructor does the same silently. Nothing else of this file may be used afterwards.
+  /// The bytes of a file in memory as they would stand on the disk. They change with the file.
+  std::string_view image() const;
+
+  /// Closes; RunError if something that was written is lost. Nothing of this file may be used then.
   void close();
 
  private:
-  Hdf5File(const Handle& file, std::string path);
-  std::string path_;
+  Hdf5File(const Handle& file, const std::string& path);
 };
+
+/// Writes an HDF5 file whole or not at all, as replace_file does: `fill` makes what is in it.
+void replace_hdf5_file(const std::string& path, const std::function<void(const Hdf5File&)>& fill,
+                       Seal seal = Seal::absent);
 
 }  // namespace solidem
 

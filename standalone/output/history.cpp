@@ -9,10 +9,11 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <set>
+#include <string_view>
 
 #include "model/error.hpp"
+#include "output/read_file.hpp"
 #include "output/replace_file.hpp"
 
 namespace solidem {
@@ -35,8 +36,10 @@ std::string header_of(const std::vector<std::string>& columns) {
   return header + '\n';
 }
 
-/// The step that a row begins with, none if it does not.
-std::optional<std::int64_t> step_of(const std::string& row) {
+/// The step that the last row begins with, none if there is no row.
+std::optional<std::int64_t> last_step_of(std::string_view rows) {
+  if (!rows.empty()) rows.remove_suffix(1);
+  const std::string_view row = rows.substr(rows.rfind('\n') + 1);
   std::int64_t step = 0;
   const char* const end = row.data() + row.size();
   const auto [rest, error] = std::from_chars(row.data(), end, step);
@@ -48,38 +51,36 @@ std::optional<std::int64_t> step_of(const std::string& row) {
 
 HistoryWriter::HistoryWriter(std::string path, const std::vector<std::string>& columns)
     : path_(std::move(path)), columns_(columns.size()) {
-  replace_text_file(path_, header_of(columns));
+  const std::string header = header_of(columns);
+  replace_text_file(path_, header);
   open();
+  digest_.add(header);
 }
 
 HistoryWriter HistoryWriter::resume(std::string path, const std::vector<std::string>& columns,
-                                    std::int64_t step) {
+                                    const HistoryMark& mark) {
   HistoryWriter writer;
   writer.path_ = std::move(path);
   writer.columns_ = columns.size();
   const std::string& name = writer.path_;
-  std::ifstream file(writer.path_, std::ios::binary);
-  if (!file) throw InputError(fmt::format("cannot resume the history {}: no such file", name));
+  if (std::error_code error; !std::filesystem::exists(name, error))
+    throw InputError(fmt::format("cannot resume the history {}: no such file", name));
 
-  std::string kept = header_of(columns), line;
-  std::getline(file, line);
-  if (file.eof() || line + '\n' != kept)
+  const std::string content = read_file(name), header = header_of(columns);
+  if (content.compare(0, header.size(), header) != 0)
     throw InputError(fmt::format(
         "cannot resume the history {}: its columns are \"{}\", those of this run \"{}\"", name,
-        line, kept.substr(0, kept.size() - 1)));
-  for (int number = 2; std::getline(file, line) && !file.eof(); ++number) {
-    const std::optional<std::int64_t> row_step = step_of(line);
-    if (!row_step)
-      throw InputError(
-          fmt::format("cannot resume the history {}: line {} does not begin with a step: \"{}\"",
-                      name, number, line));
-    if (*row_step > step) break;
-    kept += line + '\n';
-    writer.last_step_ = row_step;
-  }
-  std::error_code error;
-  if (std::filesystem::file_size(writer.path_, error) != kept.size())
-    replace_text_file(writer.path_, kept);
+        content.substr(0, content.find('\n')), header.substr(0, header.size() - 1)));
+  const std::string_view kept =
+      std::string_view(content).substr(0, static_cast<std::size_t>(mark.bytes));
+  if (kept.size() != static_cast<std::size_t>(mark.bytes) || digest_of(kept) != mark.digest)
+    throw InputError(fmt::format(
+        "cannot resume the history {}: rows before the checkpoint are missing or are not those "
+        "that were written; put the file back as it was, or move it away to go on with a new one",
+        name));
+  if (kept.size() < content.size()) replace_text_file(name, std::string(kept));
+  writer.digest_.add(kept);
+  writer.last_step_ = last_step_of(kept.substr(header.size()));
   writer.open();
   return writer;
 }
@@ -87,9 +88,17 @@ HistoryWriter HistoryWriter::resume(std::string path, const std::vector<std::str
 void HistoryWriter::open() {
   file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
   struct stat status {};
-  if (!file_.is_open() || ::fstat(file_.get(), &status) != 0)
-    throw RunError(fmt::format("cannot write {}: {}", path_, std::strerror(errno)));
+  if (!file_.is_open() || ::fstat(file_.get(), &status) != 0) fail_writing();
   size_ = status.st_size;
+}
+
+void HistoryWriter::fail_writing() const {
+  throw RunError(fmt::format("cannot write {}: {}", path_, std::strerror(errno)));
+}
+
+HistoryMark HistoryWriter::mark() const {
+  if (!file_.sync()) fail_writing();
+  return {size_, digest_.hexadecimal()};
 }
 
 void HistoryWriter::write_row(std::int64_t step, double time, const std::vector<double>& values) {
@@ -109,6 +118,7 @@ void HistoryWriter::write_row(std::int64_t step, double time, const std::vector<
                                whole ? "" : ", the last line is cut short"));
   }
   size_ += static_cast<std::int64_t>(row.size());
+  digest_.add(row);
   last_step_ = step;
 }
 

@@ -16,6 +16,12 @@ constexpr double seconds_between_lines = 2.0;
 constexpr int lines_in_a_run = 20;
 constexpr int bar_width = 30;
 
+/// Nobody needs to see it: that it cannot be printed is no reason to end a run.
+void print(std::FILE* stream, const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stream);
+  std::fflush(stream);
+}
+
 double seconds(ProgressBar::Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
@@ -46,7 +52,7 @@ ProgressBar::ProgressBar(std::int64_t first_step, std::int64_t last_step, Style 
       printed_(start_) {}
 
 ProgressBar::~ProgressBar() {
-  if (bar_shown_) std::fputc('\n', stream_);
+  if (bar_shown_) print(stream_, "\n");
 }
 
 void ProgressBar::update(std::int64_t step, Clock::time_point now) {
@@ -74,18 +80,16 @@ void ProgressBar::print_bar(std::int64_t step, double seconds_left) {
   const double fraction =
       std::clamp(static_cast<double>(step) / static_cast<double>(last_step_), 0.0, 1.0);
   const int filled = static_cast<int>(bar_width * fraction);
-  fmt::print(stream_, "\r[{:=<{}}{: <{}}] {:3.0f} %  step {} of {}  {} left\033[K", "", filled, "",
-             bar_width - filled, std::floor(100 * fraction), step, last_step_,
-             duration_text(seconds_left));
-  std::fflush(stream_);
+  print(stream_, fmt::format("\r[{:=<{}}{: <{}}] {:3.0f} %  step {} of {}  {} left\033[K", "",
+                             filled, "", bar_width - filled, std::floor(100 * fraction), step,
+                             last_step_, duration_text(seconds_left)));
   bar_shown_ = true;
 }
 
 void ProgressBar::print_line(std::int64_t step, double seconds_left) {
   const double fraction = static_cast<double>(step) / static_cast<double>(last_step_);
-  fmt::print(stream_, "{:.0f} %: step {} of {}, {} left\n", std::floor(100 * fraction), step,
-             last_step_, duration_text(seconds_left));
-  std::fflush(stream_);
+  print(stream_, fmt::format("{:.0f} %: step {} of {}, {} left\n", std::floor(100 * fraction), step,
+                             last_step_, duration_text(seconds_left)));
 }
 
 }  // namespace solidem

@@ -4,21 +4,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <numeric>
-#include <optional>
+#include <tuple>
 
 #include "model/error.hpp"
 #include "output/disk.hpp"
 #include "output/replace_file.hpp"
+#include "output/seal.hpp"
 
 namespace solidem {
+
+namespace fs = std::filesystem;
 
 namespace {
 
 constexpr char format_name[] = "solidem trajectory";
-constexpr int format_version = 1;
-constexpr std::uint64_t room_for_structure = 1 << 16;  // HDF5's own: headers, names, attributes
+constexpr int format_version = 2;
+constexpr char rest_name[] = "rest";
 
 const double* coordinates(const std::vector<Vector>& vectors) {
   static_assert(sizeof(Vector) == 3 * sizeof(double), "vectors are written as rows of three");
@@ -57,15 +62,7 @@ std::size_t lines_to_draw(const Specimen& specimen) {
   return across ? 0 : specimen.bonds.size();  // a bond to an image would be drawn across the body
 }
 
-std::uint64_t bytes_at_rest(const Specimen& specimen) {
-  return specimen.size() * 5 * sizeof(double) + specimen.bonds.size() * sizeof(Pair) +
-         room_for_structure;
-}
-
-void write_rest(const std::string& path, const Specimen& specimen) {
-  const Hdf5File file = Hdf5File::create(path);
-  file.set_attribute("format", format_name);
-  file.set_attribute("version", format_version);
+void write_rest(const Hdf5File& file, const Specimen& specimen) {
   file.write("elements/position", coordinates(specimen.position), {specimen.size(), 3});
   file.write("elements/radius", specimen.radius);
   if (!specimen.bonds.empty())
@@ -76,68 +73,105 @@ void write_rest(const std::string& path, const Specimen& specimen) {
     std::iota(index.begin(), index.end(), 0);
     file.write("elements/index", index);
   }
-  file.make_group("frames");
-  file.flush();
 }
 
-/// Makes the file of a new run and opens it for the frames.
-Hdf5File start(const std::string& path, const Specimen& specimen) {
-  insist_on_regular_file(path);
-  replace_file(path, [&](const std::string& temporary) {
-    reserve_space(temporary, bytes_at_rest(specimen), path, "no frame was written yet");
-    write_rest(temporary, specimen);
+/// "trajectory" for "trajectory.h5".
+std::string folder_beside(const std::string& path) {
+  return fs::path(path).replace_extension("").string();
+}
+
+/// Names of the frames in a folder, without extension, in the order of their numbers.
+std::vector<std::string> frames_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path file = entry->path().filename();
+    const std::string name = file.stem().string();
+    const bool is_number = name.find_first_not_of("0123456789") == std::string::npos;
+    if (file.extension() == ".h5" && is_number && name.size() >= 6 && name.size() < 19)
+      names.push_back(name);
+  }
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw RunError(fmt::format("cannot look into the folder {}: {}", folder, error.message()));
+  std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
   });
-  return Hdf5File::open_for_writing(path);
+  return names;
 }
 
-/// Tells what is wrong with a file that is no trajectory.
-void insist_on_trajectory(const std::string& path) {
-  const Hdf5File file = Hdf5File::open(path);
-  if (!file.has_attribute("format") || file.text_attribute("format") != format_name)
-    throw InputError(path + ": is no trajectory of solidem");
-  if (const std::int64_t version = file.integer_attribute("version"); version != format_version)
-    throw InputError(fmt::format("{}: is a trajectory of version {}, expected version {}", path,
-                                 version, format_version));
-}
-
-Hdf5File reopen(const std::string& path) {
-  insist_on_trajectory(path);
-  return Hdf5File::open_for_writing(path);
+void remove_file(const std::string& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw RunError(fmt::format("cannot remove {}: {}", path, error.message()));
 }
 
 }  // namespace
 
-TrajectoryWriter::TrajectoryWriter(const std::string& path, const Specimen& specimen)
+TrajectoryWriter::TrajectoryWriter(Continuation, const std::string& path, const Specimen& specimen,
+                                   std::string run)
     : path_(path),
+      folder_(folder_beside(path)),
+      run_(std::move(run)),
       elements_(specimen.size()),
       bonds_(specimen.bonds.size()),
-      lines_(lines_to_draw(specimen)),
-      file_(start(path, specimen)) {
+      lines_(lines_to_draw(specimen)) {}
+
+TrajectoryWriter::TrajectoryWriter(const std::string& path, const Specimen& specimen,
+                                   std::string run)
+    : TrajectoryWriter(Continuation{}, path, specimen, std::move(run)) {
+  insist_on_regular_file(path_);
+  prepare_directory(folder_);
+  start(specimen);
+  // The index never names a file that is not there.
   write_index();
+  for (const std::string& name : frames_in(folder_)) remove_file(file_of(name));
 }
 
-TrajectoryWriter::TrajectoryWriter(Continuation, const std::string& path, const Specimen& specimen)
-    : path_(path),
-      elements_(specimen.size()),
-      bonds_(specimen.bonds.size()),
-      lines_(lines_to_draw(specimen)),
-      file_(reopen(path)) {}
+void TrajectoryWriter::start(const Specimen& specimen) const {
+  replace_hdf5_file(
+      file_of(rest_name), [&](const Hdf5File& file) { write_rest(file, specimen); }, Seal::present);
+}
 
 TrajectoryWriter TrajectoryWriter::resume(const std::string& path, const Specimen& specimen,
-                                          std::int64_t step) {
-  TrajectoryWriter writer(Continuation{}, path, specimen);
+                                          std::int64_t step, std::string run) {
+  TrajectoryWriter writer(Continuation{}, path, specimen, std::move(run));
+  insist_on_regular_file(path);
+  prepare_directory(writer.folder_);
   writer.insist_on_same(specimen);
-  const Hdf5Group group = writer.file_.group("frames");
-  for (const std::string& name : group.names()) {
-    Frame frame = writer.read_frame(group.group(name), name);
-    if (frame.step <= step)
-      writer.frames_.push_back(std::move(frame));
-    else
-      group.remove(name);
-  }
-  writer.file_.flush();
+  std::vector<std::string> later;
+  for (const std::string& name : frames_in(writer.folder_))
+    if (writer.take_frame(name) && writer.frames_.back().step > step) {
+      writer.frames_.pop_back();
+      later.push_back(name);
+    }
+  if (!writer.frames_.empty()) writer.next_ = std::stoul(writer.frames_.back().name) + 1;
   writer.write_index();
+  for (const std::string& name : later) remove_file(writer.file_of(name));
   return writer;
+}
+
+bool TrajectoryWriter::take_frame(const std::string& name) {
+  const SealState seal = check_seal(file_of(name));
+  if (seal != SealState::holds) {
+    set_aside(name, file_of(name) + (seal == SealState::broken ? " is damaged" : " is cut short"));
+    return false;
+  }
+  const Hdf5File file = Hdf5File::open(file_of(name));
+  if (file.text_attribute("run") != run_) {
+    set_aside(name, file_of(name) + " is a frame of another run");
+    return false;
+  }
+  frames_.push_back(read_frame(file, name));
+  return true;
+}
+
+void TrajectoryWriter::set_aside(const std::string& name, const std::string& reason) {
+  const std::string aside = file_of(name) + ".aside";
+  std::error_code error;
+  fs::rename(file_of(name), aside, error);
+  if (error) throw RunError(fmt::format("{}; it cannot be renamed: {}", reason, error.message()));
+  notes_.push_back(fmt::format("{}; it now stands aside as {}", reason, aside));
 }
 
 TrajectoryWriter::Frame TrajectoryWriter::read_frame(const Hdf5Group& group,
@@ -159,18 +193,34 @@ TrajectoryWriter::Frame TrajectoryWriter::read_frame(const Hdf5Group& group,
     const Hdf5Group of_bonds = group.group(field);
     for (const std::string& bond_field : of_bonds.names()) read(of_bonds, bond_field, true);
   }
+  frame.sort_fields();
   return frame;
 }
 
-void TrajectoryWriter::insist_on_same(const Specimen& specimen) const {
-  const auto found = file_.read<double>("elements/position", Hdf5Group::any_rows, 3);
+void TrajectoryWriter::insist_on_same(const Specimen& specimen) {
+  const std::string path = file_of(rest_name);
+  std::vector<double> found;
+  try {
+    found = Hdf5File::open(path, Seal::present)
+                .read<double>("elements/position", Hdf5Group::any_rows, 3);
+  } catch (const InputError& error) {
+    // It says nothing that the specimen does not.
+    notes_.push_back(fmt::format("{}; it was written anew", error.what()));
+    return start(specimen);
+  }
   const double* const wanted = coordinates(specimen.position);
   if (found.size() != 3 * specimen.size() || !std::equal(found.begin(), found.end(), wanted))
     throw InputError(fmt::format(
         "{}: cannot go on with this trajectory, it is of another specimen ({} elements, this run "
         "has {}{})",
-        path_, found.size() / 3, specimen.size(),
+        path, found.size() / 3, specimen.size(),
         found.size() == 3 * specimen.size() ? " at other places" : ""));
+}
+
+void TrajectoryWriter::Frame::sort_fields() {
+  std::sort(fields.begin(), fields.end(), [](const FrameField& a, const FrameField& b) {
+    return std::tie(a.of_bonds, a.name) < std::tie(b.of_bonds, b.name);
+  });
 }
 
 std::string TrajectoryWriter::what_is_safe() const {
@@ -182,44 +232,42 @@ std::string TrajectoryWriter::what_is_safe() const {
 
 void TrajectoryWriter::write_frame(std::int64_t step, double time,
                                    const std::vector<Field>& fields) {
-  const std::size_t number = frames_.empty() ? 0 : std::stoul(frames_.back().name) + 1;
-  Frame frame{fmt::format("{:06}", number), step, time, {}};
-  std::uint64_t bytes = room_for_structure;
-  for (const Field& field : fields) {
+  Frame frame{fmt::format("{:06}", next_), step, time, {}};
+  for (const Field& field : fields)
     frame.fields.push_back(
         {field.name, static_cast<std::size_t>(field.components), field.of_bonds});
-    bytes += rows(frame.fields.back()) * frame.fields.back().components * sizeof(double);
-  }
-  reserve_space(path_, bytes, path_, what_is_safe());
   try {
-    const Hdf5Group group = file_.make_group("frames/" + frame.name);
-    group.set_attribute("step", step);
-    group.set_attribute("time", time);
-    std::optional<Hdf5Group> of_bonds;
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      if (fields[k].of_bonds && !of_bonds) of_bonds.emplace(group.make_group("bonds"));
-      (fields[k].of_bonds ? *of_bonds : group)
-          .write(fields[k].name, fields[k].values,
-                 shape_of(rows(frame.fields[k]), frame.fields[k].components));
-    }
-    file_.flush();
+    replace_hdf5_file(
+        file_of(frame.name),
+        [&](const Hdf5File& file) {
+          file.set_attribute("run", run_);
+          file.set_attribute("step", step);
+          file.set_attribute("time", time);
+          for (std::size_t k = 0; k < fields.size(); ++k)
+            file.write((fields[k].of_bonds ? "bonds/" : "") + fields[k].name, fields[k].values,
+                       shape_of(rows(frame.fields[k]), frame.fields[k].components));
+        },
+        Seal::present);
   } catch (const RunError& error) {
     throw RunError(fmt::format("{}; {}", error.what(), what_is_safe()));
   }
+  frame.sort_fields();
   frames_.push_back(std::move(frame));
+  ++next_;
   write_index();
 }
 
 std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
-  const std::string source = escaped(std::filesystem::path(path_).filename().string());
-  const auto item = [&](const std::string& where, const std::vector<std::size_t>& shape,
-                        const char* type) {
-    return fmt::format("<DataItem Format=\"HDF\" Dimensions=\"{}\" {}>{}:/{}</DataItem>",
-                       numbers(shape), type, source, escaped(where));
+  const std::string folder = escaped(fs::path(folder_).filename().string());
+  const auto item_of = [&](const std::string& source, const std::string& where,
+                           const std::vector<std::size_t>& shape, const char* type) {
+    return fmt::format("<DataItem Format=\"HDF\" Dimensions=\"{}\" {}>{}/{}.h5:/{}</DataItem>",
+                       numbers(shape), type, folder, source, escaped(where));
   };
+  const auto at_rest = [&](const std::string& where, const std::vector<std::size_t>& shape,
+                           const char* type) { return item_of(rest_name, where, shape, type); };
   constexpr char real[] = "NumberType=\"Float\" Precision=\"8\"";
   constexpr char integer[] = "NumberType=\"Int\" Precision=\"4\"";
-  const std::string folder = "frames/" + frame.name + '/';
 
   std::string text =
       fmt::format("      <Grid Name=\"step {}\" GridType=\"Uniform\">\n", frame.step);
@@ -228,21 +276,21 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
     text += fmt::format(
         "        <Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" "
         "NumberOfElements=\"{}\">{}</Topology>\n",
-        lines_, item("bonds/pairs", {lines_, 2}, integer));
+        lines_, at_rest("bonds/pairs", {lines_, 2}, integer));
   else
     text += fmt::format(
         "        <Topology TopologyType=\"Polyvertex\" NodesPerElement=\"1\" "
         "NumberOfElements=\"{}\">{}</Topology>\n",
-        elements_, item("elements/index", {elements_}, integer));
+        elements_, at_rest("elements/index", {elements_}, integer));
 
-  std::string place = "elements/position";
+  std::string place = at_rest("elements/position", {elements_, 3}, real);
   std::string attributes = fmt::format(
       "        <Attribute Name=\"radius\" AttributeType=\"Scalar\" "
       "Center=\"Node\">{}</Attribute>\n",
-      item("elements/radius", {elements_}, real));
+      at_rest("elements/radius", {elements_}, real));
   for (const FrameField& field : frame.fields) {
     if (field.name == "position") {
-      place = folder + field.name;
+      place = item_of(frame.name, field.name, {elements_, 3}, real);
       continue;
     }
     if (field.of_bonds && lines_ == 0) continue;  // there is nothing to draw them on
@@ -254,22 +302,36 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
         "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
         escaped((field.of_bonds ? "bond " : "") + field.name), type,
         field.of_bonds ? "Cell" : "Node",
-        item(folder + (field.of_bonds ? "bonds/" : "") + field.name,
-             shape_of(rows(field), field.components), real));
+        item_of(frame.name, (field.of_bonds ? "bonds/" : "") + field.name,
+                shape_of(rows(field), field.components), real));
   }
-  text += fmt::format("        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
-                      item(place, {elements_, 3}, real));
+  text += fmt::format("        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", place);
   return text + attributes + "      </Grid>\n";
 }
 
 void TrajectoryWriter::write_index() const {
+  const std::string folder = fs::path(folder_).filename().string() + '/';
+  const std::string rest = folder + rest_name + ".h5";
+  replace_hdf5_file(
+      path_,
+      [&](const Hdf5File& file) {
+        file.set_attribute("format", format_name);
+        file.set_attribute("version", format_version);
+        file.set_attribute("run", run_);
+        file.link("elements", rest, "/elements");
+        if (bonds_ > 0) file.link("bonds", rest, "/bonds");
+        file.make_group("frames");
+        for (const Frame& frame : frames_)
+          file.link("frames/" + frame.name, folder + frame.name + ".h5", "/");
+      },
+      Seal::present);
   std::string text =
       "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
       "<Xdmf Version=\"3.0\">\n  <Domain>\n"
       "    <Grid Name=\"solidem\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (const Frame& frame : frames_) text += xdmf_of(frame);
   text += "    </Grid>\n  </Domain>\n</Xdmf>\n";
-  replace_text_file(std::filesystem::path(path_).replace_extension(".xdmf").string(), text);
+  replace_text_file(fs::path(path_).replace_extension(".xdmf").string(), text);
 }
 
 }  // namespace solidem

@@ -2,17 +2,18 @@
 //
 // Trajectories: the whole body at a few moments, as HDF5 with an XDMF index beside it.
 //
-//   trajectory.h5    /elements/position (N,3), /elements/radius (N)          at rest, m
-//                    /elements/index (N)                                     only if points are
-//                    drawn /bonds/pairs (B,2)                                      absent without
-//                    bonds /frames/000000 ...  attributes step, time; one dataset (N) or (N,c) per
-//                    field; in a group bonds, one (B) or (B,c) per field of the bonds
-//   trajectory.xdmf  what ParaView opens: one grid for each frame, lines along the bonds (points
-//   where
-//                    there are none or the body is periodic), every field and the radius at the
-//                    elements
+//   trajectory/rest.h5       /elements/position (N,3), /elements/radius (N)  at rest, m
+//                            /elements/index (N)      only if points are drawn
+//                            /bonds/pairs (B,2)       absent without bonds
+//   trajectory/000000.h5 ... attributes step, time; one dataset (N) or (N,c) per field; in a group
+//                            bonds, one (B) or (B,c) per field of the bonds
+//   trajectory.h5            all of it in one, by links: /elements, /bonds, /frames/000000 ...
+//   trajectory.xdmf          what ParaView opens: one grid for each frame, lines along the bonds
+//                            (points where there are none or the body is periodic), every field and
+//                            the radius at the elements
 //
-// Both can be opened while the run goes on and after it was killed.
+// Each file is written whole and then never changed, or replaced in one step: all can be opened
+// while the run goes on and after it was killed. They end with a seal (output/seal.hpp).
 #ifndef SOLIDEM_OUTPUT_TRAJECTORY_HPP
 #define SOLIDEM_OUTPUT_TRAJECTORY_HPP
 
@@ -37,18 +38,22 @@ struct Field {
 /// Writes a trajectory, frame by frame.
 class TrajectoryWriter {
  public:
-  /// Starts a new file in the place of an earlier one, and its index beside it (extension .xdmf).
-  /// RunError if it cannot be written; then the earlier one is as it was.
-  TrajectoryWriter(const std::string& path, const Specimen& specimen);
+  /// Starts a new trajectory in the place of an earlier one, and its index beside it (extension
+  /// .xdmf). `run` is the identity of the run, for resume. RunError if it cannot be written.
+  TrajectoryWriter(const std::string& path, const Specimen& specimen, std::string run = "");
 
-  /// Goes on with the file of an earlier run after `step`; frames of later steps are dropped.
-  /// InputError if there is no such file or it is of another specimen.
+  /// Goes on with the trajectory of an earlier run after `step`. Frames of later steps are dropped;
+  /// those that are damaged, or of another run, are set aside under another name, and an index that
+  /// is missing or damaged is written anew. InputError if it is of another specimen.
   static TrajectoryWriter resume(const std::string& path, const Specimen& specimen,
-                                 std::int64_t step);
+                                 std::int64_t step, std::string run = "");
 
-  /// Adds a frame. When it returns, file and index hold it. RunError names the file, the reason and
-  /// the frames that are safe: space is secured first, so a full disk costs only this frame.
+  /// Adds a frame. When it returns, file and index hold it and are on the disk. RunError names the
+  /// file, the reason and the frames that are safe: a full disk costs only this frame.
   void write_frame(std::int64_t step, double time, const std::vector<Field>& fields);
+
+  /// What resume found damaged, a sentence each.
+  const std::vector<std::string>& notes() const { return notes_; }
 
   std::size_t frames() const { return frames_.size(); }
 
@@ -63,21 +68,28 @@ class TrajectoryWriter {
     std::int64_t step;
     double time;
     std::vector<FrameField> fields;
+    void sort_fields();  // so that an index is the same whether it was written or read
   };
 
   struct Continuation {};
-  TrajectoryWriter(Continuation, const std::string& path, const Specimen& specimen);
+  TrajectoryWriter(Continuation, const std::string& path, const Specimen& specimen,
+                   std::string run);
+  std::string file_of(const std::string& name) const { return folder_ + '/' + name + ".h5"; }
+  void start(const Specimen& specimen) const;
+  void insist_on_same(const Specimen& specimen);
+  bool take_frame(const std::string& name);
   Frame read_frame(const Hdf5Group& group, const std::string& name) const;
+  void set_aside(const std::string& name, const std::string& reason);
   std::size_t rows(const FrameField& field) const { return field.of_bonds ? bonds_ : elements_; }
-  void insist_on_same(const Specimen& specimen) const;
   std::string what_is_safe() const;
   std::string xdmf_of(const Frame& frame) const;
   void write_index() const;
 
-  std::string path_;
+  std::string path_, folder_, run_;
   std::size_t elements_, bonds_, lines_;  // lines drawn: bonds, or 0 to draw points
-  Hdf5File file_;
+  std::size_t next_ = 0;                  // number of the next frame
   std::vector<Frame> frames_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace solidem

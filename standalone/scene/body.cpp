@@ -8,7 +8,6 @@
 #include "laws/rigid_sphere.hpp"
 #include "output/hdf5.hpp"
 #include "specimen/bonds.hpp"
-#include "specimen/file_seal.hpp"
 #include "specimen/ordering.hpp"
 #include "specimen/report.hpp"
 #include "specimen/specimen_file.hpp"
@@ -42,7 +41,7 @@ namespace {
 
 /// Masses and moments of inertia of all elements; rigidity, radius and G / E of all beams, in the
 /// order of the bonds.
-void write_mechanics(Hdf5File& file, const Simulation& simulation) {
+void write_mechanics(const Hdf5File& file, const Simulation& simulation) {
   const Model& model = simulation.model();
   const Hdf5Group mechanics = file.make_group("mechanics");
   const std::vector<double>& radius = model.specimen().radius;
@@ -85,7 +84,7 @@ std::vector<double> of_all(const std::vector<ElementValue>& values,
 
 /// What conducts and heats, for codes that do not compute it themselves: in the order of the pairs
 /// that conduct.
-void write_conduction(Hdf5File& file, const Simulation& simulation) {
+void write_conduction(const Hdf5File& file, const Simulation& simulation) {
   const Model& model = simulation.model();
   const Heat& heat = *simulation.heat();
   const std::vector<Pair> pairs = model.conductors().pairs();
@@ -144,14 +143,17 @@ void write_prepared(const std::string& path, const Simulation& simulation) {
   specimen.bonds = simulation.pairs();
   for (const auto& [name, elements] : simulation.selections()) specimen.sets[name] = elements;
   measure_specimen(specimen);
-  write_specimen(path, specimen);
-  if (path.size() < 3 || path.substr(path.size() - 3) != ".h5") return;
-
-  Hdf5File file = Hdf5File::open_for_writing(path);
-  if (model.has(columns::inverse_mass)) write_mechanics(file, simulation);
-  if (model.has(columns::inverse_heat_capacity)) write_conduction(file, simulation);
-  file.close();
-  seal_file(path);
+  if (path.size() < 3 || path.substr(path.size() - 3) != ".h5")
+    return write_specimen(path, specimen);
+  check_specimen(specimen, "specimen for " + path);
+  replace_hdf5_file(
+      path,
+      [&](const Hdf5File& file) {
+        put_specimen(file, specimen);
+        if (model.has(columns::inverse_mass)) write_mechanics(file, simulation);
+        if (model.has(columns::inverse_heat_capacity)) write_conduction(file, simulation);
+      },
+      Seal::present);
 }
 
 }  // namespace solidem

@@ -3,30 +3,29 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"
+#include "output/read_file.hpp"
 #include "scene/sections.hpp"
 
 namespace solidem {
 
 namespace {
 
-std::string read_file(const std::string& path) {
+std::string scene_text(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw InputError(path + ": no such file; expected a scene file (TOML)");
   if (std::filesystem::is_directory(path, error))
     throw InputError(path + ": a folder; expected a scene file (TOML)");
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream content;
-  if (stream) content << stream.rdbuf();
-  if (!stream || (content.str().empty() && stream.bad()))
-    throw InputError(path + ": cannot be read; expected a scene file (TOML) with read permission");
-  return content.str();
+  try {
+    return read_file(path);
+  } catch (const InputError& reason) {
+    throw InputError(std::string(reason.what()) +
+                     "; expected a scene file (TOML) with read permission");
+  }
 }
 
 toml::table parse(const std::string& content, const std::string& path) {
@@ -94,7 +93,7 @@ std::vector<Key> effect_keys(Setup& setup, const NamedRegions& named,
 }  // namespace
 
 Scene read_scene(const std::string& path) {
-  const std::string content = read_file(path);
+  const std::string content = scene_text(path);
   const toml::table file = parse(content, path);
   if (file.empty())
     throw InputError(path +

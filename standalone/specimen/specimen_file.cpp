@@ -4,18 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "model/error.hpp"
 #include "output/hdf5.hpp"
+#include "output/read_file.hpp"
 #include "output/replace_file.hpp"
+#include "output/seal.hpp"
 #include "specimen/body_lines.hpp"
 #include "specimen/cut_cells.hpp"
-#include "specimen/file_seal.hpp"
 #include "specimen/report.hpp"
 #include "specimen/shape.hpp"
 #include "specimen/text_formats.hpp"
@@ -40,8 +37,7 @@ Vector vector_attribute(const Hdf5Group& group, const std::string& name) {
   return {v[0], v[1], v[2]};
 }
 
-void write_hdf5(const std::string& path, const Specimen& specimen) {
-  Hdf5File file = Hdf5File::create(path);
+void write_hdf5(const Hdf5File& file, const Specimen& specimen) {
   file.set_attribute("format", format_name);
   file.set_attribute("version", format_version);
 
@@ -79,7 +75,6 @@ void write_hdf5(const std::string& path, const Specimen& specimen) {
                                              figures.at("fabric_z")});
 
   for (const auto& [name, members] : specimen.sets) file.write("sets/" + name, members);
-  file.close();
 }
 
 // Whether positions came from a program that keeps them in single precision.
@@ -119,8 +114,8 @@ Domain read_domain(const Hdf5Group& domain) {
 }
 
 Specimen read_hdf5(const std::string& path) {
-  const bool has_seal = check_seal(path);
   const Hdf5File file = Hdf5File::open(path);
+  const bool has_seal = check_seal(path) == SealState::holds;
   check_format(file, path);
   Specimen specimen;
   const Hdf5Group elements = file.group("elements");
@@ -219,14 +214,8 @@ std::string read_text(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
   if (std::filesystem::is_directory(path, error)) throw InputError(path + ": is a directory");
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  // Reading nothing at all from an empty file fails the output stream, not the input.
-  if (!file.is_open() || file.bad())
-    throw InputError(path + ": cannot be read (" + std::strerror(errno) + ")");
   // A byte order mark, which some editors put before the text.
-  std::string content = text.str();
+  std::string content = read_file(path);
   if (content.compare(0, 3, "\xEF\xBB\xBF") == 0) content.erase(0, 3);
   return content;
 }
@@ -267,10 +256,8 @@ void write_specimen(const std::string& path, const Specimen& specimen) {
   const std::string extension = extension_of(path);
   check_specimen(specimen, "specimen for " + path);
   if (extension == ".h5")
-    replace_file(path, [&](const std::string& temporary) {
-      write_hdf5(temporary, specimen);
-      seal_file(temporary);
-    });
+    replace_hdf5_file(
+        path, [&](const Hdf5File& file) { write_hdf5(file, specimen); }, Seal::present);
   else if (extension == ".data")
     replace_text_file(path, liggghts_text(specimen));
   else if (extension == ".txt")
@@ -279,6 +266,10 @@ void write_specimen(const std::string& path, const Specimen& specimen) {
     replace_text_file(path, csv_text(specimen));
   else
     fail_extension(path);
+}
+
+void put_specimen(const Hdf5File& file, const Specimen& specimen) {
+  write_hdf5(file, specimen);
 }
 
 }  // namespace solidem

@@ -19,15 +19,19 @@
 
 namespace solidem {
 
+class Hdf5File;
+
 /// Reads a specimen. `body` is that of spheres whose file does not tell it; its volume may be 0 and
 /// its shape "imported": not known. Throws InputError that names the file, the place (line,
 /// element, bond), the value found and what would be right.
 Specimen read_specimen(const std::string& path, const std::optional<Domain>& body = {});
 
-/// Writes a specimen under a temporary name beside `path`, then renames it: a failed write never
-/// destroys an existing file. Throws InputError when the extension is unknown and RunError when the
-/// file cannot be written.
+/// Writes a specimen whole or not at all (output/replace_file.hpp). Throws InputError when the
+/// extension is unknown and RunError when the file cannot be written.
 void write_specimen(const std::string& path, const Specimen& specimen);
+
+/// Puts a specimen into a file that is to hold more. The specimen must be sound.
+void put_specimen(const Hdf5File& file, const Specimen& specimen);
 
 /// Throws InputError at the first thing that is wrong with a specimen: no element, a position or
 /// radius that is no number, a radius ≤ 0, an element far outside its body, two elements in one

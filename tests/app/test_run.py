@@ -23,7 +23,8 @@ def test_a_run_leaves_what_its_scene_asks_for(solidem, bar):
     assert done.returncode == 0, done.stderr
     out = solidem.folder / "out"
     assert sorted(p.name for p in out.iterdir()) == [
-        "checkpoint.h5", "history.csv", "summary.json", "trajectory.h5", "trajectory.xdmf"]
+        "checkpoint.h5", "history.csv", "summary.json", "trajectory", "trajectory.h5",
+        "trajectory.xdmf"]
 
     summary = json.loads((out / "summary.json").read_text())
     assert summary["completed"] is True

@@ -45,7 +45,7 @@ BENDING = MODULUS * math.pi * RADIUS**4 / 4
 
 def solve(solidem, text, *options):
     scene = solidem.scene("scene.toml", text)
-    done = solidem("solve", scene, "-o", "out", *options)
+    done = solidem("solve", scene, "-o", "out", "--overwrite", *options)
     assert done.returncode == 0, done.stderr
     return json.loads((solidem.folder / "out" / "summary.json").read_text()), done.stdout
 
@@ -68,7 +68,8 @@ def test_a_cantilever_bends_and_swings_by_beam_theory(solidem):
 
     out = solidem.folder / "out"
     assert sorted(p.name for p in out.iterdir()) == [
-        "modes.h5", "modes.xdmf", "summary.json", "trajectory.h5", "trajectory.xdmf"]
+        "modes", "modes.h5", "modes.xdmf", "summary.json", "trajectory", "trajectory.h5",
+        "trajectory.xdmf"]
     with h5py.File(out / "trajectory.h5") as file:
         frame = file["frames/000000"]
         moved = frame["position"][:] - file["elements/position"][:]

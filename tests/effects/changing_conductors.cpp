@@ -232,7 +232,7 @@ TEST(ChangingConductors, are_the_same_whatever_the_order_of_events) {
   for (const Pair pair : {bonds[3], Pair{1, 23}, Pair{0, 22}, Pair{0, 23}})
     ASSERT_TRUE(two.model->make_bond(pair, 1.9e-4));
   two.conduction->follow_bonds(*two.model);
-  Archive saved(state_of(one));
+  Archive saved(state_of(one), one.model->elements());
   restored.conduction->state(saved);
   const auto column = [](const Body& body) {
     const double* data = body.model->data(columns::conductance);

@@ -2,6 +2,7 @@
 """The install script: what it drops where, and what it refuses."""
 
 import fcntl
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -67,3 +68,27 @@ def test_drops_styles_laws_and_pages_into_a_tree(tmp_path: Path) -> None:
     assert again.returncode == 0
     assert not (tree / "src" / "bond_solidem_old.cpp").exists()
     assert "install: cp" not in again.stderr, "an unchanged file was copied again"
+
+
+def test_runs_no_words_of_the_path_that_it_stands_in(tmp_path: Path) -> None:
+    if not Path("/usr/include/liggghts").is_dir():
+        pytest.skip("LIGGGHTS is not there")
+    tree = tmp_path / 'a $(touch ran) `touch ran` "; touch ran; " {} \'b'
+    shutil.copytree(CONTRIB, tree / "contrib/liggghts")
+    shutil.copytree(CONTRIB.parents[1] / "standalone/laws", tree / "standalone/laws")
+    # A compiler that only makes the file that it is asked for, and says what it was given.
+    tools = tmp_path / "tools"
+    tools.mkdir()
+    compiler = tools / "mpicxx"
+    compiler.write_text('#!/bin/bash\nwhile [ $# -gt 1 ]; do\n'
+                        '  [ "$1" != -c ] || [ -e "$2" ] || exit 1\n'
+                        '  [ "$1" != -o ] || touch "$2"\n  shift\ndone\n')
+    compiler.chmod(0o755)
+    done = subprocess.run([tree / "contrib/liggghts/build_prebuilt"], cwd=tmp_path, text=True,
+                          capture_output=True, check=False,
+                          env={**os.environ, "PATH": f"{tools}:{os.environ['PATH']}",
+                               "XDG_CACHE_HOME": str(tmp_path / "cache")})
+    assert done.returncode == 0, done.stderr
+    program = Path(done.stdout.splitlines()[0].removeprefix("program "))
+    assert program.exists()
+    assert not list(tmp_path.rglob("ran"))

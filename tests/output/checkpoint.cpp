@@ -11,7 +11,7 @@
 namespace solidem {
 namespace {
 
-const CheckpointHeader header{123456789012, 1.0 / 3, "beams 5f3a"};
+const CheckpointHeader header{123456789012, 1.0 / 3, "beams 5f3a", "run 7", {99, "abc"}, 3};
 const std::vector<double> position{0.1, -0.0, std::numeric_limits<double>::denorm_min(), 1e300};
 const std::vector<std::int32_t> broken{0, -7, 2147483647};
 const std::vector<std::int64_t> counts{-1, std::int64_t{1} << 62};
@@ -35,6 +35,10 @@ TEST(Checkpoint, gives_back_every_bit) {
   const CheckpointReader reader(directory / "c.h5", header.fingerprint);
   EXPECT_EQ(reader.header().step, header.step);
   EXPECT_EQ(reader.header().time, header.time);
+  EXPECT_EQ(reader.header().run, header.run);
+  EXPECT_EQ(reader.header().history.bytes, header.history.bytes);
+  EXPECT_EQ(reader.header().history.digest, header.history.digest);
+  EXPECT_EQ(reader.header().frames, header.frames);
   EXPECT_EQ(reader.read<double>("position", 4), position);
   EXPECT_TRUE(std::signbit(reader.read<double>("position")[1]));
   EXPECT_EQ(reader.read<std::int32_t>("broken"), broken);
@@ -66,9 +70,19 @@ TEST(Checkpoint, of_another_scene_or_version_is_refused) {
   EXPECT_TRUE(contains(message, path) && contains(message, "another scene") &&
               contains(message, "5f3a") && contains(message, "0000"))
       << message;
-  Hdf5File::open_for_writing(path).set_attribute("version", 2);
+  replace_hdf5_file(
+      path,
+      [](const Hdf5File& file) {
+        file.set_attribute("format", "solidem checkpoint");
+        file.set_attribute("version", 1);
+      },
+      Seal::present);
   EXPECT_EQ(message_of<InputError>([&] { CheckpointReader(path, header.fingerprint); }),
-            path + ": is a checkpoint of version 2, expected version 1");
+            path + ": is a checkpoint of version 1, expected version 2");
+}
+
+bool is_refused(const std::string& path) {
+  return !message_of<InputError>([&] { CheckpointReader(path, header.fingerprint); }).empty();
 }
 
 TEST(Checkpoint, that_is_damaged_is_refused_wherever_it_was_cut) {
@@ -78,18 +92,37 @@ TEST(Checkpoint, that_is_damaged_is_refused_wherever_it_was_cut) {
   const std::string whole = content_of(path);
   for (std::size_t size = 0; size < whole.size(); size += 97) {
     std::ofstream(path, std::ios::binary) << whole.substr(0, size);
-    EXPECT_NE(message_of<InputError>([&] { CheckpointReader(path, header.fingerprint); }), "")
-        << size << " of " << whole.size() << " bytes";
+    EXPECT_TRUE(is_refused(path)) << size << " of " << whole.size() << " bytes";
   }
-  EXPECT_EQ(message_of<InputError>([&] { CheckpointReader(directory / "no.h5", ""); }),
-            (directory / "no.h5") + ": there is no checkpoint to resume from");
-  Hdf5File::create(path).set_attribute("format", "solidem specimen");
+}
+
+TEST(Checkpoint, that_is_damaged_is_refused_whichever_bit_is_wrong) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "c.h5";
+  write_good(path);
+  const std::string whole = content_of(path);
+  for (std::size_t place = 0; place < whole.size(); place += 7) {
+    std::string flipped = whole;
+    flipped[place] = static_cast<char>(flipped[place] ^ (1 << (place % 8)));
+    std::ofstream(path, std::ios::binary) << flipped;
+    EXPECT_TRUE(is_refused(path)) << "byte " << place << " of " << whole.size();
+  }
+}
+
+TEST(Checkpoint, that_is_none_is_refused) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "c.h5";
+  EXPECT_EQ(message_of<InputError>([&] { CheckpointReader(path, ""); }),
+            path + ": there is no checkpoint to resume from");
+  replace_hdf5_file(
+      path, [](const Hdf5File& file) { file.set_attribute("format", "solidem specimen"); },
+      Seal::present);
   EXPECT_EQ(message_of<InputError>([&] { CheckpointReader(path, ""); }),
             path + ": is no checkpoint of solidem");
 }
 
 void write_large(const std::string& path) {
-  write_checkpoint(path, {7, 0, "large"}, [](const CheckpointContents& contents) {
+  write_checkpoint(path, {7, 0, "large", ""}, [](const CheckpointContents& contents) {
     for (int k = 0; k < 20; ++k)
       contents.write("array" + std::to_string(k), std::vector<double>(10000, k));
   });
@@ -131,7 +164,7 @@ TEST(Checkpoint, is_the_earlier_one_if_the_run_is_killed_while_writing) {
   const std::string path = directory / "c.h5";
   write_good(path);
   const int outcome = in_own_process([&] {
-    write_checkpoint(path, {7, 0, "other"}, [](const CheckpointContents& contents) {
+    write_checkpoint(path, {7, 0, "other", ""}, [](const CheckpointContents& contents) {
       contents.write("position", std::vector<double>(100000, 1.0));
       ::raise(SIGKILL);
     });
@@ -139,7 +172,7 @@ TEST(Checkpoint, is_the_earlier_one_if_the_run_is_killed_while_writing) {
   });
   ASSERT_EQ(outcome, -SIGKILL);
   EXPECT_EQ(CheckpointReader(path, header.fingerprint).read<double>("position"), position);
-  write_good(path, {8, 0, "later"});  // what the killed run left does not stand in the way
+  write_good(path, {8, 0, "later", ""});  // what the killed run left does not stand in the way
   EXPECT_EQ(CheckpointReader(path, "later").header().step, 8);
   EXPECT_EQ(directory.names(), std::vector<std::string>{"c.h5"});
 }

@@ -52,33 +52,59 @@ TEST(History, resumed_is_the_same_as_one_that_never_stopped) {
   };
   HistoryWriter whole(directory / "whole.csv", columns);
   run(whole, 0, 100);
+  HistoryMark checkpoint;
   {
     HistoryWriter stopped(directory / "history.csv", columns);
-    run(stopped, 0, 70);  // 20 steps beyond the checkpoint
+    run(stopped, 0, 50);
+    checkpoint = stopped.mark();
+    run(stopped, 55, 70);
   }
   std::ofstream(directory / "history.csv", std::ios::app) << "75,0.07";  // killed within a row
-  HistoryWriter resumed = HistoryWriter::resume(directory / "history.csv", columns, 50);
+  HistoryWriter resumed = HistoryWriter::resume(directory / "history.csv", columns, checkpoint);
   EXPECT_EQ(resumed.last_step(), 50);
+  EXPECT_EQ(resumed.mark().digest, checkpoint.digest);
   run(resumed, 55, 100);
+  EXPECT_EQ(resumed.mark().digest, whole.mark().digest);
   EXPECT_EQ(content_of(directory / "history.csv"), content_of(directory / "whole.csv"));
 }
 
 TEST(History, does_not_go_on_with_another_file) {
   const TemporaryDirectory directory;
   const std::string path = directory / "history.csv";
-  EXPECT_EQ(message_of<InputError>([&] { HistoryWriter::resume(path, columns, 0); }),
+  EXPECT_EQ(message_of<InputError>([&] { HistoryWriter::resume(path, columns, {}); }),
             "cannot resume the history " + path + ": no such file");
   HistoryWriter(path, {"kinetic_energy"}).write_row(0, 0, {1});
   const std::string before = content_of(path);
   const std::string message =
-      message_of<InputError>([&] { HistoryWriter::resume(path, columns, 0); });
+      message_of<InputError>([&] { HistoryWriter::resume(path, columns, {}); });
   EXPECT_TRUE(contains(message, "\"step,time,kinetic_energy\"")) << message;
   EXPECT_TRUE(contains(message, "\"step,time,kinetic_energy,grip.left.force_x\"")) << message;
-  std::ofstream(path, std::ios::app) << "nonsense\n";
-  EXPECT_TRUE(
-      contains(message_of<InputError>([&] { HistoryWriter::resume(path, {"kinetic_energy"}, 0); }),
-               "line 3 does not begin with a step: \"nonsense\""));
-  EXPECT_EQ(content_of(path), before + "nonsense\n");
+  EXPECT_EQ(content_of(path), before);
+}
+
+TEST(History, notices_rows_that_are_missing_or_changed) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "history.csv";
+  HistoryMark checkpoint;
+  {
+    HistoryWriter history(path, columns);
+    for (int step = 0; step < 10; ++step) history.write_row(step, 0.25 * step, {1, 2});
+    checkpoint = history.mark();
+  }
+  const std::string whole = content_of(path);
+  EXPECT_EQ(HistoryWriter::resume(path, columns, checkpoint).last_step(), 9);
+  const auto refuses = [&](const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+    const std::string message =
+        message_of<InputError>([&] { HistoryWriter::resume(path, columns, checkpoint); });
+    return contains(message, "rows before the checkpoint") && content_of(path) == content;
+  };
+  const std::size_t row = whole.find("\n3,") + 1;
+  EXPECT_TRUE(refuses(whole.substr(0, row)));  // the last ones
+  EXPECT_TRUE(refuses(whole.substr(0, row) + whole.substr(whole.find('\n', row) + 1)));  // one
+  std::string changed = whole;
+  changed[row] = '4';
+  EXPECT_TRUE(refuses(changed));
 }
 
 TEST(History, refuses_names_that_would_break_the_table) {

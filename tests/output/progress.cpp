@@ -80,5 +80,16 @@ TEST(DurationText, is_short_and_rounds) {
   EXPECT_EQ(duration_text(std::nan("")), "?");
 }
 
+TEST(ProgressBar, does_not_end_a_run_when_it_cannot_be_printed) {
+  std::FILE* const full = std::fopen("/dev/full", "w");
+  for (const auto style : {ProgressBar::Style::bar, ProgressBar::Style::lines}) {
+    ProgressBar progress(0, 1000, style, full);
+    const auto later = ProgressBar::Clock::now() + std::chrono::hours(1);
+    EXPECT_NO_THROW(progress.update(500, later));
+  }
+  EXPECT_NE(std::ferror(full), 0) << "it must have tried";
+  std::fclose(full);
+}
+
 }  // namespace
 }  // namespace solidem

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "output/replace_file.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+
 #include "conditions.hpp"
 #include "model/error.hpp"
 #include "output/disk.hpp"
@@ -89,23 +92,31 @@ TEST(PrepareDirectory, refuses_before_a_run_what_would_fail_after_it) {
             "cannot write into the directory " + (directory / "closed") + ": Permission denied");
 }
 
-TEST(ReserveSpace, leaves_size_and_content_and_refuses_what_does_not_fit) {
+TEST(ReplaceFile, does_not_follow_a_link_that_was_planted_where_it_writes) {
   const TemporaryDirectory directory;
-  const std::string path = directory / "a";
-  replace_text_file(path, "abc");
-  reserve_space(path, 100000, path, "");
-  EXPECT_EQ(content_of(path), "abc");
-  const int outcome = in_own_process([&] {
-    const std::string disk = directory / "disk";
-    std::filesystem::create_directory(disk);
-    if (!mount_small_disk(disk, 128)) return 77;
-    reserve_space(disk + "/a", 64 * 1024, "a", "");
-    const std::string message =
-        message_of<RunError>([&] { reserve_space(disk + "/b", 96 * 1024, "b", "a is safe"); });
-    return message == "cannot write b: No space left on device; a is safe" ? 0 : 1;
-  });
-  if (outcome == 77) GTEST_SKIP() << "this system does not let us mount a small disk";
-  EXPECT_EQ(outcome, 0);
+  replace_text_file(directory / "victim", "precious");
+  std::filesystem::create_symlink("victim", directory / "a.txt.partial");
+  replace_text_file(directory / "a.txt", "new");
+  EXPECT_EQ(content_of(directory / "victim"), "precious");
+  EXPECT_EQ(content_of(directory / "a.txt"), "new");
+  EXPECT_EQ(directory.names(), (std::vector<std::string>{"a.txt", "victim"}));
+}
+
+TEST(ReplaceFile, tells_a_file_that_was_left_from_one_that_another_program_writes) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "a.txt";
+  {
+    std::ofstream(path + ".partial") << "half";
+    const int other = ::open((path + ".partial").c_str(), O_WRONLY);
+    ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
+    EXPECT_EQ(message_of<RunError>([&] { replace_text_file(path, "new"); }),
+              "cannot write " + path + ": another program is writing it");
+    EXPECT_EQ(content_of(path + ".partial"), "half");
+    ::close(other);
+  }
+  replace_text_file(path, "new");  // nobody writes it now
+  EXPECT_EQ(content_of(path), "new");
+  EXPECT_EQ(directory.names(), std::vector<std::string>{"a.txt"});
 }
 
 }  // namespace

@@ -162,9 +162,40 @@ TEST(Trajectory, does_not_go_on_with_the_file_of_another_specimen) {
   moved.position[7].x += 1e-12;
   EXPECT_TRUE(contains(message_of<InputError>([&] { TrajectoryWriter::resume(path, moved, 0); }),
                        "at other places"));
-  EXPECT_TRUE(contains(
-      message_of<InputError>([&] { TrajectoryWriter::resume(directory / "no.h5", specimen, 0); }),
-      "no.h5: there is no such file"));
+}
+
+TEST(Trajectory, resumed_sets_aside_what_is_damaged_or_of_another_run) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "t.h5";
+  const Specimen specimen = chain(30);
+  const auto frame = [&](int number) {
+    return directory / ("t/00000" + std::to_string(number) + ".h5");
+  };
+  {
+    TrajectoryWriter trajectory(path, specimen, "this run");
+    for (int step = 0; step <= 40; step += 10) write(trajectory, specimen, step);
+    TrajectoryWriter other(directory / "other.h5", specimen, "another run");
+    write(other, specimen, 0);
+  }
+  std::string damaged = content_of(frame(1));
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
+  std::ofstream(frame(1), std::ios::binary) << damaged;
+  std::ofstream(frame(2), std::ios::binary) << content_of(frame(2)).substr(0, 1000);
+  std::filesystem::rename(directory / "other/000000.h5", frame(3));
+  std::ofstream(path, std::ios::binary) << "no index";
+
+  TrajectoryWriter trajectory = TrajectoryWriter::resume(path, specimen, 40, "this run");
+  EXPECT_EQ(trajectory.frames(), 2u);
+  ASSERT_EQ(trajectory.notes().size(), 3u);
+  EXPECT_TRUE(contains(trajectory.notes()[0], "is damaged")) << trajectory.notes()[0];
+  EXPECT_TRUE(contains(trajectory.notes()[1], "is cut short")) << trajectory.notes()[1];
+  EXPECT_TRUE(contains(trajectory.notes()[2], "of another run")) << trajectory.notes()[2];
+  EXPECT_EQ(content_of(frame(1) + ".aside"), damaged);
+  write(trajectory, specimen, 50);
+  const Hdf5File file = Hdf5File::open(path);
+  EXPECT_EQ(file.group("frames").names(), (std::vector<std::string>{"000000", "000004", "000005"}));
+  expect_frame(file.group("frames/000004"), specimen, 40);
+  EXPECT_TRUE(index_is_right(directory / "t.xdmf", 3));
 }
 
 TEST(Trajectory, on_a_full_disk_keeps_the_frames_it_has) {
@@ -176,13 +207,11 @@ TEST(Trajectory, on_a_full_disk_keeps_the_frames_it_has) {
   write(trajectory, specimen, 10);
   std::string message;
   {
-    const FileSizeLimit limit(std::filesystem::file_size(path) + 40000);
-    message = message_of<RunError>([&] {
-      for (int step = 20; step < 200; step += 10) write(trajectory, specimen, step);
-    });
+    const FileSizeLimit limit(20000);
+    message = message_of<RunError>([&] { write(trajectory, specimen, 20); });
   }
-  EXPECT_EQ(message,
-            "cannot write " + path + ": File too large; the 2 frames up to step 10 are safe");
+  EXPECT_EQ(message, "cannot write " + (directory / "t/000002.h5") +
+                         ": File too large; the 2 frames up to step 10 are safe");
   EXPECT_TRUE(index_is_right(directory / "t.xdmf", 2));
   write(trajectory, specimen, 20);  // there is room again: the run can go on
   expect_frame(Hdf5File::open(path).group("frames/000002"), specimen, 20);
@@ -200,12 +229,13 @@ TEST(Trajectory, on_a_disk_that_fills_up_keeps_the_frames_it_has) {
       for (; frames < 100; ++frames) write(trajectory, specimen, frames);
     });
     if (!contains(message, "No space left on device") || frames < 2) return 1;
-    if (!index_is_right(directory / "t.xdmf", frames)) return 2;
     const Hdf5File file = Hdf5File::open(directory / "t.h5");
     int step = 0;
     for (const std::string& name : file.group("frames").names())
       expect_frame(file.group("frames/" + name), specimen, step++);
-    return step != frames || ::testing::Test::HasFailure() ? 3 : 0;
+    // The index of the last frame may be what did not fit.
+    if (!index_is_right(directory / "t.xdmf", step)) return 2;
+    return std::abs(step - frames) > 1 || ::testing::Test::HasFailure() ? 3 : 0;
   });
   if (outcome == 77) GTEST_SKIP() << "this system does not let us mount a small disk";
   EXPECT_EQ(outcome, 0);
@@ -216,13 +246,13 @@ TEST(Trajectory, that_cannot_start_leaves_the_earlier_one) {
   const std::string path = directory / "t.h5";
   const Specimen specimen = chain(1000);
   TrajectoryWriter(path, specimen).write_frame(0, 0, State(specimen, 0).fields());
-  const std::string before = content_of(path);
+  const std::string before = content_of(directory / "t/000000.h5");
   {
-    const FileSizeLimit limit(20000);
+    const FileSizeLimit limit(500);
     EXPECT_NE(message_of<RunError>([&] { TrajectoryWriter(path, specimen); }), "");
   }
-  EXPECT_EQ(content_of(path), before);
-  EXPECT_EQ(directory.names(), (std::vector<std::string>{"t.h5", "t.xdmf"}));
+  EXPECT_EQ(content_of(directory / "t/000000.h5"), before);
+  EXPECT_EQ(directory.names(), (std::vector<std::string>{"t", "t.h5", "t.xdmf"}));
   EXPECT_EQ(message_of<RunError>([&] { TrajectoryWriter("/dev/full", specimen); }),
             "cannot write /dev/full: it is not a regular file");
 }

@@ -240,7 +240,8 @@ TEST_F(SpecimenFile, AByteOrderMarkIsNoPartOfTheText) {
 }
 
 TEST_F(SpecimenFile, OtherHdf5Files) {
-  Hdf5File::create(path("other.h5")).set_attribute("format", "weather");
+  replace_hdf5_file(path("other.h5"),
+                    [](const Hdf5File& file) { file.set_attribute("format", "weather"); });
   expect_input_error([&] { read_specimen(path("other.h5")); }, {"no solidem specimen", "weather"});
   write_specimen(path("future.h5"), small_packing());
   Hdf5File::open_for_writing(path("future.h5")).set_attribute("version", 7);

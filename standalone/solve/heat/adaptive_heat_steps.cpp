@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "model/error.hpp"
 
@@ -44,6 +45,8 @@ void AdaptiveHeatSteps::restore(const std::vector<double>& saved) {
   wanted_ = saved.at(0);
   last_error_ = saved.at(1);
   euler_error_ = saved.at(2);
+  if (!(saved.at(3) >= -1 && saved.at(3) < static_cast<double>(methods_.size())))
+    throw std::out_of_range("a method of integration that there is not");
   method_ = static_cast<int>(saved.at(3));
   for (std::size_t m = 0; m < methods_.size(); ++m) methods_[m]->set_memory(saved.at(4 + m));
 }
