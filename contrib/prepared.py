@@ -130,11 +130,12 @@ class Beams:
 class Plasticity:
     """When beams flow; strains are stresses over the beams' E."""
 
-    law: str  #: "radial-return" or "scaled-offset"
+    law: str  #: "radial-return", "scaled-offset" or "associated"
     yield_strain: float = np.nan  #: σ_y / E, of "linear"
     hardening_ratio: float = 0.0  #: H / E, of "linear"
     hardening: str = "linear"  #: the yield law
     parameters: dict[str, float] = field(default_factory=dict)  #: of the yield law by name
+    section: str = "middle"  #: where a beam is judged: "middle", "ends" or "worst"
 
 
 @dataclass(frozen=True)
@@ -146,6 +147,7 @@ class Rupture:
     minimal_bonds: int = 0  #: elements that lost bonds and keep fewer are removed; 0: never
     law: str = "strain-limit"
     parameters: dict[str, float] = field(default_factory=dict)  #: of the law by name
+    section: str = "middle"  #: where a beam is judged: "middle", "ends" or "worst"
 
 
 @dataclass(frozen=True)

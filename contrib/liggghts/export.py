@@ -129,12 +129,15 @@ def bond_words(beams: Beams, plasticity: Plasticity | None = None, rupture: Rupt
                       full(plasticity.hardening_ratio * young)]
         else:
             words += [plasticity.hardening, *_law_words(plasticity.parameters)]
+        words += ["yield_section", plasticity.section] if plasticity.section != "middle" else []
     if rupture and rupture.law != "strain-limit":
         words += ["rupture", rupture.law, *_law_words(rupture.parameters)]
     if rupture and np.isfinite(rupture.elastic_strain):
         words += ["rupture_stress", full(rupture.elastic_strain * young)]
     if rupture and np.isfinite(rupture.strain):
         words += ["rupture_strain", full(rupture.strain)]
+    if rupture and rupture.section != "middle":
+        words += ["rupture_section", rupture.section]
     if contact:
         words += ["contact", full(contact.stiffness_ratio)]
         if contact.rebonding_pressure:

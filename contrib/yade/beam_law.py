@@ -16,7 +16,17 @@ and its loads are the gradient of U. The equivalent strain at the edge of the mi
     ε = sqrt((|e| + r |a_j − a_i|)² + 3 (G/E r φ)²) / l.
 
 Flow leaves the share p of the elastic deformation, in every mode alike: it moves the shape in which
-the beam is free of load. A bond that breaks still acts in the pose in which it does.
+the beam is free of load. Its work is ½ (Q_n + Q')·Δq, with Q_n and Q' the loads in the last pose and
+after the flow. With the elastic deformations q_n in the last pose, q before and q' after the flow and
+W(a, b) half of what the load of a does along b this is
+
+    W(q_n, q) − W(q_n, q') + W(q, q') − W(q', q').
+
+A bond that did not stand on the yield surface in the last pose reached it at the share s of the way from
+there, s (ε − ε_n) = ε_y(κ) − ε_n: q_n is then q_n + s (q − q_n).
+
+A bond that breaks still acts in the pose in which it does. What is lost is the energy that it has
+there, less half of what its load does on the way to the next pose: W of its deformations in both.
 """
 
 from __future__ import annotations
@@ -79,6 +89,16 @@ class Bonds:
 
 
 @dataclass
+class Modes:
+    """How the bonds are deformed, elastically, as their energy sees it; in body axes of i."""
+
+    lean_i: Floats  #: (B, 3) a_i − x
+    lean_j: Floats  #: (B, 3) a_j − x
+    extension: Floats  #: (B,) m
+    twist: Floats  #: (B,) rad
+
+
+@dataclass
 class History:
     """What the bonds remember."""
 
@@ -87,6 +107,8 @@ class History:
     extension: Floats  #: (B,) plastic, m
     twist: Floats  #: (B,) plastic, rad
     strain: Floats  #: (B,) equivalent plastic strain
+    last: Modes  #: elastic deformation in the last pose
+    last_strain: Floats  #: (B,) strain there by which flow is judged
 
 
 @dataclass
@@ -99,6 +121,11 @@ class Deformation:
     a_j: Floats
     extension: Floats
     twist: Floats
+
+    def modes(self, of_i: Floats) -> Modes:
+        """The same as the energy sees it; orientations (B, 4) of i."""
+        return Modes(rotated(of_i, self.a_i - self.x, back=True),
+                     rotated(of_i, self.a_j - self.x, back=True), self.extension, self.twist)
 
 
 @dataclass
@@ -113,6 +140,7 @@ class Response:
     energy: Floats  #: (B,) elastic, after any flow, J
     plastic_work: Floats  #: (B,) of this flow, J
     breaks: Flags  #: (B,) broken from the next pose on
+    shared: Floats  #: (B,) half of what the load in the last pose does along this deformation, J
 
 
 class BeamLaw:
@@ -125,11 +153,14 @@ class BeamLaw:
         self.bonds, self.flow = bonds, flow
         self.largest_stress, self.largest_strain = largest_stress, largest_strain
         none = np.zeros(len(bonds.rest_length))
+        still = np.zeros((len(none), 3))
         self.history = History(bonds.rest_direction.copy(), bonds.rest_direction.copy(), none,
-                               none.copy(), none.copy())
+                               none.copy(), none.copy(), Modes(still, still, none, none), none.copy())
         self.intact: Flags = np.ones(len(none), dtype=bool)
         self.plastic_work = 0.0  #: so far, J
-        self.fracture_energy = 0.0  #: elastic energy of bonds when they broke, J
+        self.fracture_energy = 0.0  #: lost by bonds that broke, J
+        self._breaking: Flags = np.zeros(len(none), dtype=bool)  # in the last pose
+        self._broke_with = 0.0  # energy of these then, J
 
     @property
     def broken(self) -> int:
@@ -151,13 +182,18 @@ class BeamLaw:
         slip = bonds.shear_ratio * bonds.radius * d.twist
         return np.asarray(np.sqrt(edge**2 + 3 * slip**2) / bonds.rest_length)
 
-    def _energy(self, d: Deformation) -> Floats:
+    def _mutual(self, a: Modes, b: Modes) -> Floats:
+        """Half of what the loads of one deformation do along another."""
         axial, bending, shear, torsion = self.bonds.rigidity.T
-        leaning = _dot(d.a_i - d.x, d.a_i - d.x) + _dot(d.a_j - d.x, d.a_j - d.x)
-        bent = _dot(d.a_j - d.a_i, d.a_j - d.a_i)
-        return np.asarray((axial * d.extension**2 + 3 * shear * leaning
-                           - 0.5 * (3 * shear - bending) * bent + torsion * d.twist**2)
+        leaning = _dot(a.lean_i, b.lean_i) + _dot(a.lean_j, b.lean_j)
+        bent = _dot(a.lean_j - a.lean_i, b.lean_j - b.lean_i)
+        return np.asarray((axial * a.extension * b.extension + 3 * shear * leaning
+                           - 0.5 * (3 * shear - bending) * bent + torsion * a.twist * b.twist)
                           / (2 * self.bonds.rest_length))
+
+    def _energy(self, d: Deformation) -> Floats:
+        modes = Modes(d.a_i - d.x, d.a_j - d.x, d.extension, d.twist)
+        return self._mutual(modes, modes)
 
     def _loads(self, d: Deformation, of_i: Floats,
                of_j: Floats) -> tuple[Floats, Floats, Floats]:
@@ -195,13 +231,13 @@ class BeamLaw:
         """Loads of chords (B, 3) from i to j and orientations (B, 4) = w, x, y, z of both ends."""
         old, bonds = self.history, self.bonds
         found = self._deformation(chord, of_i, of_j, old)
-        elastic, stored = self._strain(found), self._energy(found)
+        elastic = self._strain(found)
         start = found
         if self.flow is not None and self.flow.scaled_offset:
             none = np.zeros_like(elastic)
             start = self._deformation(
                 chord, of_i, of_j,
-                History(bonds.rest_direction, bonds.rest_direction, none, none, none))
+                History(bonds.rest_direction, bonds.rest_direction, none, none, none, old.last, none))
         fraction, plastic, strain = self._flow(elastic, self._strain(start))
         flows = (plastic > old.strain) & self.intact
 
@@ -215,44 +251,53 @@ class BeamLaw:
                            np.where(flows, fraction * start.twist, found.twist))
         _, u = relative_turn(of_i, of_j)
         column = flows[:, None]
+        energy = self._energy(left)
         history = History(
             np.where(column, rotated(of_i, a_i, back=True), old.normal_i),
             np.where(column, rotated(of_j, a_j, back=True), old.normal_j),
             np.where(flows, found.length - bonds.rest_length - left.extension, old.extension),
             np.where(flows, _dot(u, a_i + a_j) - left.twist, old.twist),
-            np.where(flows, plastic, old.strain))
-        energy = self._energy(left)
+            np.where(flows, plastic, old.strain),
+            left.modes(of_i), self._judged(strain, self._strain(start)))
         loads = [np.where(self.intact[:, None], load, 0.0)
                  for load in self._loads(left, of_i, of_j)]
         return Response(
             *loads, history, strain, np.where(self.intact, energy, 0.0),
-            self._work(old.strain, history.strain, energy, stored, fraction, flows, elastic,
-                       self._strain(start)),
+            self._work(found.modes(of_i), history.last, self._strain(start), flows),
             self.intact & ((strain > self.largest_stress)
-                           | (strain + history.strain > self.largest_strain)))
+                           | (strain + history.strain > self.largest_strain)),
+            self._mutual(old.last, found.modes(of_i)))
 
-    def _work(self, plastic_before: Floats, plastic: Floats, energy: Floats, stored: Floats,
-              fraction: Floats, flows: Flags, elastic: Floats, whole: Floats) -> Floats:
-        """Work of the loads that remain along the flow, 2 p (1 − p) U of the energy U before it, with
-        half of what they gain by hardening on the way. The scaled offset may fall: it loses all of
-        the energy but what this step strained it beyond the largest strain, which flowed."""
+    def _judged(self, strain: Floats, whole: Floats) -> Floats:
+        """The strain by which flow is judged, after any flow."""
+        return whole if self.flow is not None and self.flow.scaled_offset else strain
+
+    def _work(self, before: Modes, after: Modes, strain: Floats, flows: Flags) -> Floats:
+        """Plastic work of a flow from an elastic deformation, judged by a strain, to another."""
         if self.flow is None:
-            return np.zeros_like(energy)
-        limit, h = self.flow.strain, self.flow.hardening_ratio
-        if self.flow.scaled_offset:
-            largest = limit + (1 + h) * plastic_before
-            beyond = (whole - largest) / np.where(elastic > 0, elastic, 1)
-            work = stored - energy - beyond**2 * stored
-        else:
-            mean = 1 + (limit + h * plastic_before) / (limit + h * plastic)
-            work = mean * fraction * (1 - fraction) * stored
-        return np.where(flows, work, 0.0)
+            return np.zeros_like(strain)
+        last, mutual, old = self.history.last, self._mutual, self.history
+        growth = self.flow.hardening_ratio + (1 if self.flow.scaled_offset else 0)
+        limit = self.flow.strain + growth * old.strain
+        below = flows & (limit > old.last_strain)
+        way = np.where(below, strain - old.last_strain, 1)
+        share = np.where(below, (limit - old.last_strain) / way, 0)
+        crossed = mutual(before, after)
+        along_last = mutual(last, before) - mutual(last, after)
+        along_trial = mutual(before, before) - crossed
+        return np.where(flows, along_last + share * (along_trial - along_last)
+                        + crossed - mutual(after, after), 0.0)
 
     def keep(self, response: Response) -> None:
         """Accepts the pose that the response belongs to."""
         self.history = response.history
         self.plastic_work += float(response.plastic_work.sum())
-        self.fracture_energy += float(response.energy[response.breaks].sum())
+        if self._breaking.any():
+            still = float(response.shared[self._breaking].sum())
+            self.fracture_energy += still - self._broke_with
+        self._breaking = response.breaks
+        self._broke_with = float(response.energy[response.breaks].sum())
+        self.fracture_energy += self._broke_with
         self.intact &= ~response.breaks
 
 

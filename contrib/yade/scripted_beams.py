@@ -42,6 +42,12 @@ class ScriptedBeamScene(BeamScene):
         if parameters.plasticity is not None and parameters.plasticity.hardening != "linear":
             raise PreparedError(f"hardening \"{parameters.plasticity.hardening}\" of [plasticity] is "
                                 "not supported in YADE, only \"linear\"")
+        if parameters.plasticity is not None and parameters.plasticity.law == "associated":
+            raise PreparedError("law \"associated\" of [plasticity] is not supported in YADE")
+        for name, law in (("plasticity", parameters.plasticity), ("rupture", parameters.rupture)):
+            if law is not None and law.section != "middle":
+                raise PreparedError(f"section \"{law.section}\" of [{name}] is not supported in YADE, "
+                                    "only \"middle\"")
         super().__init__(specimen, parameters)
 
     def _add_beams(self, beams: Beams, incremental: bool) -> None:

@@ -43,6 +43,27 @@ struct SlotReader {
   }
 };
 
+/// A bond as its ends stand in a buffer of poses.
+struct PosedBond {
+  BondNow<double> bond;
+  Vector chord;
+  Quaternion<double> turned_i, turned_j;
+};
+
+PosedBond bond_in(const double* poses, BondKind kind, const BeamMotion& m, const SlotReader& slot,
+                  std::int32_t i, std::int32_t j) {
+  const double* row_i = poses + std::ptrdiff_t{8} * i;
+  const double* row_j = poses + std::ptrdiff_t{8} * j;
+  PosedBond posed{{},
+                  pose_centre(row_j) - pose_centre(row_i),
+                  pose_orientation(row_i),
+                  pose_orientation(row_j)};
+  if (m.image_shift != nullptr) posed.chord += slot.vector(m.image_shift);
+  posed.bond = load_bond(kind, m, slot, posed.chord, posed.turned_i, conjugate(posed.turned_i),
+                         posed.turned_j);
+  return posed;
+}
+
 }  // namespace
 
 BeamDemands demands_of(const Setup& setup) {
@@ -55,6 +76,11 @@ Watch BeamDemands::watch() const {
   // A bond that is made between elements which have turned must remember its normals.
   if (plasticity || rebonding) return Watch::remembering;
   return rupture ? Watch::watched : Watch::elastic;
+}
+
+bool BeamDemands::looks_at_all() const {
+  return (plasticity && plasticity->section != JudgedSection::middle) ||
+         (rupture && rupture->section != JudgedSection::middle);
 }
 
 BondNeeds BeamDemands::needs(bool periodic) const {
@@ -72,6 +98,7 @@ std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool perio
   if (demands.has_rotation())
     asked.insert(asked.end(), {&columns::angular_velocity, &columns::inverse_inertia});
   if (demands.watch() == Watch::remembering) asked.push_back(&columns::plastic_work);
+  if (demands.plasticity) asked.push_back(&columns::last_pose);
   for (const BondColumn& kept : bond_columns)
     if (kept.is_needed(demands.needs(periodic))) asked.push_back(kept.column);
   return asked;
@@ -99,6 +126,8 @@ Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model&
       model.data(columns::inverse_inertia)[i] = 1 / sphere_inertia(mass[i], specimen.radius[i]);
   }
 
+  if (model.has(columns::last_pose))
+    std::copy_n(poses[0], model.size(columns::pose), model.data(columns::last_pose));
   for (const BondColumn& kept : bond_columns)
     if (model.has(*kept.column))
       std::fill_n(model.data(*kept.column), model.size(*kept.column), kept.empty);
@@ -139,7 +168,11 @@ NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
           section.radius,
           properties_.rigidity(section, length),
           image_shift,
-          limit_strain(yield(), flow_rule(), rupture(), 0)};
+          limit_of_new_bonds()};
+}
+
+double Beams::limit_of_new_bonds() const {
+  return demands_.looks_at_all() ? 0 : limit_strain(yield(), flow_rule(), rupture(), 0);
 }
 
 void Beams::bind(Model& model, std::int32_t i, std::int32_t j, std::size_t row, int lane,
@@ -188,33 +221,41 @@ Beams::Bond Beams::bond(const Model& model, std::int32_t i, std::int32_t j, std:
 
 Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std::size_t row,
                         int lane) const {
-  const double* row_i = m.pose + std::ptrdiff_t{8} * i;
-  const double* row_j = m.pose + std::ptrdiff_t{8} * j;
-  const Quaternion<double> q_i = pose_orientation(row_i), q_j = pose_orientation(row_j);
   const SlotReader slot{row, lane};
-  Vector chord = pose_centre(row_j) - pose_centre(row_i);
-  if (m.image_shift != nullptr) chord += slot.vector(m.image_shift);
   const BondKind kind{m.has_rotation, m.bond_rigidity != nullptr, m.watch == Watch::remembering};
-  BondNow<double> now = load_bond(kind, m, slot, chord, q_i, conjugate(q_i), q_j);
+  PosedBond posed = bond_in(m.pose, kind, m, slot, i, j);
+  BondNow<double>& now = posed.bond;
+  const Quaternion<double>&q_i = posed.turned_i, &q_j = posed.turned_j;
   if (kind.remembers) now.history.strain = slot.number(m.plastic_strain);
 
-  YieldingBeam<double> beam{now.rigidity, now.rest_length, m.radius, 0};
+  YieldingBeam<double> beam{now.rigidity,    now.rest_length,  m.radius, 0,
+                            m.yield_section, m.rupture_section};
   if (kind.per_bond_rigidity)
     beam.radius = std::sqrt(2 * beam.rigidity.bending / beam.rigidity.axial);  // of a circle
   if (beam.radius > 0)
     beam.shear_ratio =
         2 * beam.rigidity.torsion / (beam.rigidity.axial * beam.radius * beam.radius);
   if (m.yield == nullptr)
-    return {i, j, beam, elastic_response(beam, now.history, now.pose, now.deformation)};
+    return {i, j, posed.chord, beam,
+            elastic_response(beam, now.history, now.pose, now.deformation)};
+  const PosedBond last = bond_in(m.last_pose, kind, m, slot, i, j);
+  now.history.last = beam_modes(last.bond.pose, last.bond.deformation, last.turned_i);
+  BondSinceMade<double> judged{last.bond.pose, last.bond.deformation};
+  if (m.flow_rule == FlowRule::scaled_offset)
+    judged = since_made(kind, m, slot, last.bond, last.turned_i, last.turned_j);
+  now.history.last_strain =
+      equivalent_strain(beam.yield_section, beam, judged.pose, judged.deformation);
   const auto respond = [&](const auto& law) {
     const YieldCurve<std::decay_t<decltype(law)>, double> curve{law};
     if (m.flow_rule == FlowRule::radial_return)
       return radial_return_response(curve, beam, now.history, now.pose, now.deformation, q_i, q_j);
+    if (m.flow_rule == FlowRule::associated)
+      return associated_response(curve, beam, now.history, now.pose, now.deformation, q_i, q_j);
     const BondSinceMade<double> whole = since_made(kind, m, slot, now, q_i, q_j);
     return scaled_offset_response(curve, beam, now.history, now.pose, now.deformation, whole.pose,
                                   whole.deformation, q_i, q_j);
   };
-  return {i, j, beam, std::visit(respond, *m.yield)};
+  return {i, j, posed.chord, beam, std::visit(respond, *m.yield)};
 }
 
 BeamMotion Beams::columns_of(const Model& model) const {
@@ -248,14 +289,19 @@ BeamMotion Beams::motion(Model& model) const {
   motion.plastic_extension = where(columns::plastic_extension);
   motion.plastic_twist = where(columns::plastic_twist);
   motion.plastic_strain = where(columns::plastic_strain);
+  motion.last_pose = where(columns::last_pose);
   motion.plastic_work = where(columns::plastic_work);
   motion.bond_radius = where(columns::bond_radius);
   motion.radius = section_.radius;
   motion.shear_ratio = section_.shear_modulus / section_.young_modulus;
   motion.limit_strain = where(columns::limit_strain);
-  motion.common_limit_strain = strain_before_rupture(rupture(), 0.0);
+  motion.common_limit_strain = limit_of_new_bonds();
   motion.yield = yield();
   motion.flow_rule = flow_rule();
+  motion.rupture_section = demands_.rupture ? demands_.rupture->section : JudgedSection::middle;
+  motion.yield_section =
+      demands_.plasticity ? demands_.plasticity->section : motion.rupture_section;
+  motion.look_at_all = demands_.looks_at_all();
   motion.rupture = rupture();
   return motion;
 }
@@ -290,6 +336,13 @@ void Beams::accelerate(Model& model) const {
 
 double Beams::longest_time_step(double squared_frequency) const {
   return 2 / std::sqrt(squared_frequency);
+}
+
+void Beams::finish_move(Model& model) const {
+  if (model.has(columns::last_pose))
+    model.swap(columns::pose, columns::last_pose);
+  else
+    model.swap(columns::pose);
 }
 
 void Beams::for_each_pair(const Model& model, const PairVisit& visit) const {
@@ -338,17 +391,19 @@ void Beams::observe(const Model& model, Observation& observation) const {
   motion.moment.resize(elements);
   motion.velocity.resize(elements);
   motion.angular_velocity.resize(has_rotation ? elements : 0);
-  motion.kinetic_energy = 0;
+  motion.kinetic_energy = motion.squared_impulse = 0;
   for (std::size_t i = 0; i < elements; ++i) {
     if (!(inverse_mass[i] > 0)) continue;  // removed
     const std::size_t at = Model::at(columns::velocity, i);
     Vector& v = motion.velocity[i];
     v = lanes_vector(velocity, at) + (observation.behind * inverse_mass[i]) * motion.force[i];
     motion.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
+    motion.add_impulse({}, motion.force[i], inverse_mass[i]);
     if (!has_rotation) continue;
     Vector& w = motion.angular_velocity[i];
     w = lanes_vector(spin, at) + (observation.behind * inverse_inertia[i]) * motion.moment[i];
     motion.kinetic_energy += 0.5 * dot(w, w) / inverse_inertia[i];
+    motion.add_impulse({}, motion.moment[i], inverse_inertia[i]);
   }
 }
 

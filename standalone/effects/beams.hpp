@@ -22,6 +22,9 @@ struct BeamDemands {
 
   /// What the hot loop must look out for.
   Watch watch() const;
+  /// Whether bonds are judged where the hot loop cannot tell how strained they are, so that each is
+  /// looked at in each step.
+  bool looks_at_all() const;
   BondNeeds needs(bool periodic) const;
   bool has_rotation() const { return elasticity.law != BeamParameters::Law::spring; }
 };
@@ -68,11 +71,12 @@ class Beams : public Mechanics {
   double spent(const Model& model) const override;
   /// Stress, plastic strain and state of the bonds, where they may flow or break.
   void show(const Model& model, Frame& frame) const override;
-  void finish_move(Model& model) const override { model.swap(columns::pose); }
+  void finish_move(Model& model) const override;
 
   /// A bond at one instant, seen from element i, after the flow that the instant asks for.
   struct Bond {
     std::int32_t i, j;
+    Vector chord;  ///< from i to j, m
     YieldingBeam<double> beam;
     BeamResponse<double> response;
     const BeamLoad<double>& load() const { return response.load; }
@@ -102,6 +106,7 @@ class Beams : public Mechanics {
   BeamMotion columns_of(const Model& model) const;  ///< to be read alone
   Bond bond(const BeamMotion& motion, std::int32_t i, std::int32_t j, std::size_t row,
             int lane) const;
+  double limit_of_new_bonds() const;
   NewBond new_bond(const Model& model, std::int32_t i, std::int32_t j, const Vector& chord) const;
   const YieldLaw* yield() const {
     return demands_.plasticity ? &demands_.plasticity->hardening : nullptr;

@@ -166,10 +166,15 @@ void finish_beams(const Section& section, BeamParameters& p, Reading& /*reading*
   if (p.poisson_ratio) p.shear_modulus = p.young_modulus / (2 * (1 + *p.poisson_ratio));
 }
 
+const char* flow_in_words(const BeamDemands& demands) {
+  const FlowRule rule = demands.plasticity ? demands.plasticity->law : FlowRule::radial_return;
+  if (rule == FlowRule::scaled_offset) return ", scaled offset";
+  return rule == FlowRule::associated ? ", associated flow" : ", radial return";
+}
+
 std::string beam_kernel(const BeamDemands& demands, bool periodic) {
   std::string kernel = demands.has_rotation() ? "move_beams" : "move_beams, springs";
-  if (demands.watch() == Watch::remembering)
-    kernel += demands.needs(periodic).measured_since_made ? ", scaled offset" : ", radial return";
+  if (demands.watch() == Watch::remembering) kernel += flow_in_words(demands);
   if (demands.watch() == Watch::watched) kernel += ", brittle";
   if (!beams_are_alike(demands.elasticity)) kernel += ", a rigidity for each bond";
   if (periodic) kernel += ", periodic";

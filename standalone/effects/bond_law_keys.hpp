@@ -91,6 +91,22 @@ void read_bond_law(const Section& section, const char* key, const std::vector<Ke
   });
 }
 
+/// A table of names as the rule of a key takes it.
+template <class Choice, std::size_t count>
+std::vector<std::pair<std::string, Choice>> choices_of(const NamedChoice<Choice> (&table)[count]) {
+  std::vector<std::pair<std::string, Choice>> choices;
+  for (const auto& named : table) choices.emplace_back(named.name, named.choice);
+  return choices;
+}
+
+/// The key that says where along a beam its bending is judged.
+inline Key section_key(JudgedSection& section) {
+  return may_have("section", choice<JudgedSection>(section, choices_of(judged_sections)))
+      .means(
+          "where along a beam its bending counts: at mid-length, where a beam that is sheared with "
+          "its rotations held has none; at the end that is bent more; wherever it is largest");
+}
+
 /// What a page says of a parameter that may be given as a number or as a stress.
 template <class Law>
 std::string without_parameter(const BondLawParameter<Law>& parameter) {

@@ -22,7 +22,7 @@ struct BondNow {
   Real rest_length;
   BeamPose<Real> pose;
   BeamDeformation<Real> deformation;  ///< elastic
-  BeamHistory<Real> history;          ///< without the plastic strain
+  BeamHistory<Real> history;          ///< without the plastic strain and the last deformation
 };
 
 /// Reads the bond in a slot. `Motion`: its columns, see BeamMotion; `Slot`: reads a number or a

@@ -386,10 +386,6 @@ double CentralForces::longest_time_step(double squared_frequency) const {
   return (std::sqrt(drag * drag + 4 * squared) - drag) / squared;
 }
 
-double CentralForces::releasable_energy(const Model& model) const {
-  return 1.5 * depth_ * static_cast<double>(model.slots().rows() * lanes) / 2;
-}
-
 std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, std::int32_t i,
                                                            std::int32_t j, std::size_t row,
                                                            int lane) const {
@@ -487,13 +483,14 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   const std::size_t elements = model.elements();
   motion.force.resize(elements);
   motion.velocity.resize(elements);
-  motion.kinetic_energy = 0;
+  motion.kinetic_energy = motion.squared_impulse = 0;
   for (std::size_t i = 0; i < elements; ++i) {
     if (!(inverse_mass[i] > 0)) continue;  // removed
     Vector& v = motion.velocity[i];
     v = lanes_vector(velocity, Model::at(columns::velocity, i)) +
         (observation.behind * inverse_mass[i]) * motion.force[i];
     motion.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
+    motion.add_impulse({}, motion.force[i], inverse_mass[i]);
   }
   observation.add("interactions", interactions);
   const double compression_ratio =

@@ -43,7 +43,7 @@ class CentralForces : public Mechanics {
   /// So small that no pair comes into range by it, where forces jump.
   double trial_displacement() const override { return 1e-9; }
   double typical_energy(const Model& /*model*/) const override { return depth_; }
-  double releasable_energy(const Model& model) const override;
+  bool releases_energy() const override { return true; }
   void for_each_pair(const Model& model, const PairVisit& visit) const override;
   void finish_move(Model& model) const override;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -23,15 +24,47 @@ Vector centre_of(const double* pose, std::int32_t element) {
   return {row[0], row[1], row[2]};
 }
 
+/// Pairs whose bonds broke after so many had.
+std::set<Pair> broken_since(const std::vector<BrokenBond>& broken, std::size_t count) {
+  std::set<Pair> pairs;
+  for (std::size_t k = count; k < broken.size(); ++k) pairs.insert(broken[k].pair);
+  return pairs;
+}
+
 }  // namespace
 
-ElementContacts::ElementContacts(const ContactParameters& parameters, const Beams& beams,
-                                 Rupture& rupture, Model& model)
-    : parameters_(parameters), beams_(beams), rupture_(rupture), model_(model) {}
+ElementContacts::ElementContacts(const ContactParameters& parameters, double rebonding_strain,
+                                 const Beams& beams, Rupture& rupture, Model& model)
+    : parameters_(parameters),
+      rebonding_strain_(rebonding_strain),
+      beams_(beams),
+      rupture_(rupture),
+      model_(model),
+      bonded_(model.elements(), 0.0) {
+  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+    if (i > j) return;
+    const Beams::Bond bond = beams_.bond(model, i, j, row, lane);
+    add_stiffness(bonded_, {i, j}, bond.rigidity().axial / bond.rest_length());
+  });
+  stiffness_at_start_ = largest_stiffness_ = largest_over_mass(bonded_);
+}
 
 Vector ElementContacts::chord(const Candidate& candidate) const {
   const double* pose = model_.data(columns::pose);
   return centre_of(pose, candidate.pair.j) - centre_of(pose, candidate.pair.i) + candidate.shift;
+}
+
+bool ElementContacts::is_pressed(const Candidate& candidate, const Vector& chord) {
+  return !candidate.is_new && dot(chord, chord) < candidate.distance * candidate.distance;
+}
+
+void ElementContacts::settle_new() {
+  for (Candidate& candidate : candidates_) {
+    if (!candidate.is_new) continue;
+    candidate.is_new = false;
+    if (const double now = norm(chord(candidate)); now < candidate.distance)
+      candidate.distance = nearer_[candidate.pair] = now;
+  }
 }
 
 bool ElementContacts::must_search(const double* pose) const {
@@ -48,6 +81,7 @@ bool ElementContacts::must_search(const double* pose) const {
 void ElementContacts::search(const double* pose) {
   const Specimen& specimen = model_.specimen();
   std::map<Pair, const BrokenBond*> once_bonded;
+  const std::set<Pair> broke_now = broken_since(rupture_.broken(), broken_then_);
   surface_elements_.clear();
   for (const BrokenBond& bond : rupture_.broken()) {
     if (rupture_.is_removed(bond.pair.i) || rupture_.is_removed(bond.pair.j)) continue;
@@ -65,6 +99,9 @@ void ElementContacts::search(const double* pose) {
         [](const Candidate& candidate, const Pair& p) { return candidate.pair < p; });
     return at != before.end() && at->pair == pair;
   };
+  for (const Candidate& candidate : before)
+    if (rupture_.is_removed(candidate.pair.i) || rupture_.is_removed(candidate.pair.j))
+      hand_over(candidate, 1);
   candidates_.clear();
   searched_at_.clear();
   if (surface_elements_.empty()) return;
@@ -103,11 +140,11 @@ void ElementContacts::search(const double* pose) {
     const auto n = static_cast<std::size_t>(i), m = static_cast<std::size_t>(j);
     const double radii = specimen.radius[n] + specimen.radius[m];
     if (dot(to, to) > (radii + skin_) * (radii + skin_) || model_.slots().find(i, j)) return;
-    Candidate candidate{{i, j}, radii, 0, 0, {}};
+    Candidate candidate{{i, j}, radii, 0, 0, {}, false};
     if (const auto found = once_bonded.find({i, j}); found != once_bonded.end()) {
       const BrokenBond& bond = *found->second;
-      candidate.distance = bond.contact_distance;
       candidate.stiffness = parameters_.stiffness_ratio * bond.axial_stiffness;
+      candidate.distance = bond.contact_distance(candidate.stiffness);
       candidate.section = bond.section;
     } else {
       const BeamSection<double> section =
@@ -117,27 +154,60 @@ void ElementContacts::search(const double* pose) {
           parameters_.stiffness_ratio * section.young_modulus * candidate.section / radii;
       if (const auto known = nearer_.find({i, j}); known != nearer_.end())
         candidate.distance = known->second;
-      else if (const double now = norm(to); now < radii && !was_candidate({i, j}))
-        candidate.distance = nearer_[{i, j}] = now;
+      else
+        candidate.is_new = !was_candidate({i, j});
     }
     candidate.shift = to - (centre_of(pose, j) - centre_of(pose, i));
     if (!specimen.domain.is_periodic()) candidate.shift = {};
     // A bond that breaks while pressed hands on what the contact holds.
-    if (!was_candidate({i, j}))
-      rupture_.add_fracture_energy(
-          -contact_energy(candidate.stiffness, candidate.distance, chord(candidate)));
+    if (broke_now.count({i, j}) > 0) hand_over(candidate, -1);
     candidates_.push_back(candidate);
   });
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
+  measure_stiffness();
+}
+
+void ElementContacts::hand_over(const Candidate& candidate, double sign) {
+  const Vector to = chord(candidate);
+  if (!is_pressed(candidate, to)) return;
+  rupture_.lose(candidate.pair, sign * contact_energy(candidate.stiffness, candidate.distance, to),
+                {sign * contact_force(candidate.stiffness, candidate.distance, to), {}, {}});
+}
+
+void ElementContacts::measure_stiffness() {
+  const std::vector<BrokenBond>& broken = rupture_.broken();
+  for (; subtracted_ < broken.size(); ++subtracted_)
+    add_stiffness(bonded_, broken[subtracted_].pair, -broken[subtracted_].axial_stiffness);
+  std::vector<double> now = bonded_;
+  for (const Candidate& candidate : candidates_) {
+    if (is_pressed(candidate, chord(candidate)))
+      add_stiffness(now, candidate.pair, candidate.stiffness);
+  }
+  largest_stiffness_ = std::max(largest_stiffness_, largest_over_mass(now));
+}
+
+void ElementContacts::add_stiffness(std::vector<double>& sums, const Pair& pair,
+                                    double stiffness) const {
+  sums[static_cast<std::size_t>(pair.i)] += stiffness;
+  sums[static_cast<std::size_t>(pair.j)] += stiffness;
+}
+
+double ElementContacts::largest_over_mass(const std::vector<double>& sums) const {
+  const double* inverse_mass = model_.data(columns::inverse_mass);
+  double largest = 0;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    largest = std::max(largest, inverse_mass[i] * sums[i]);
+  return largest;
 }
 
 void ElementContacts::advance(Model& model, const Step& step) {
   if (rupture_.broken().empty()) return;
+  settle_new();
   std::vector<Candidate> pressed;
   for (const Candidate& candidate : candidates_) {
     const Vector to = chord(candidate);
-    if (dot(to, to) >= candidate.distance * candidate.distance) continue;
+    if (!is_pressed(candidate, to)) continue;
     const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
     push(model, step, candidate.pair.i, force);
     push(model, step, candidate.pair.j, -force);
@@ -156,10 +226,12 @@ void ElementContacts::bond_anew(const Candidate& candidate) {
   const Vector to = chord(candidate);
   // Where all places are taken they go on pushing.
   if (!model_.make_bond(candidate.pair, norm(to))) return;
-  rupture_.add_fracture_energy(contact_energy(candidate.stiffness, candidate.distance, to));
+  hand_over(candidate, 1);
   const auto here = model_.slots().find(i, j), there = model_.slots().find(j, i);
   beams_.bind(model_, i, j, here->row, here->lane, to);
   beams_.bind(model_, j, i, there->row, there->lane, -to);
+  const Beams::Bond bond = beams_.bond(model_, i, j, here->row, here->lane);
+  add_stiffness(bonded_, candidate.pair, bond.rigidity().axial / bond.rest_length());
   ++bonded_anew_;
 }
 
@@ -167,7 +239,7 @@ void ElementContacts::observe(const Model& model, Observation& observation) cons
   double stored = 0;
   for (const Candidate& candidate : candidates_) {
     const Vector to = chord(candidate);
-    if (dot(to, to) >= candidate.distance * candidate.distance) continue;
+    if (!is_pressed(candidate, to)) continue;
     const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
     stored += contact_energy(candidate.stiffness, candidate.distance, to);
     observe_push(model, observation, candidate.pair.i, force);
@@ -184,11 +256,18 @@ std::vector<TimeStepCriterion> ElementContacts::time_step_criteria(const Model& 
 }
 
 double ElementContacts::stiffening() const {
-  return std::sqrt(std::max(1.0, parameters_.stiffness_ratio));
+  double most = std::max(1.0, parameters_.stiffness_ratio);
+  // A bond that is made anew is as much shorter, and stiffer, as its pressure strains the contact.
+  return std::sqrt(std::max(most, 1 / (1 - rebonding_strain_)));
+}
+
+double ElementContacts::stiffened() const {
+  return stiffness_at_start_ > 0 ? std::sqrt(largest_stiffness_ / stiffness_at_start_) : 1;
 }
 
 void ElementContacts::state(Archive& archive) {
-  archive(bonded_anew_, broken_then_, skin_, candidates_, nearer_, surface_elements_, searched_at_);
+  archive(bonded_anew_, broken_then_, skin_, candidates_, nearer_, surface_elements_, searched_at_,
+          bonded_, subtracted_, largest_stiffness_);
   if (archive.is_reading() && !searched_at_.empty() && searched_at_.size() != model_.elements())
     throw std::out_of_range("places of " + std::to_string(searched_at_.size()) + " elements");
 }
@@ -205,7 +284,21 @@ std::vector<Key> contact_keys(ContactParameters& p, Reading& /*reading*/) {
           .without("never")};
 }
 
+/// The strain of a contact under the pressure at which it becomes a bond, of the softest beams; 0
+/// where none does.
+double rebonding_strain(const ContactParameters& contact, const BeamParameters& beams) {
+  if (!contact.rebonding_pressure) return 0;
+  double modulus = beams.young_modulus;
+  if (const auto& grain = beams.anisotropy)
+    modulus = std::min({modulus, grain->tangential_modulus, grain->radial_modulus});
+  return *contact.rebonding_pressure / (contact.stiffness_ratio * modulus);
+}
+
 void finish_contact(const Section& section, ContactParameters& p, Reading& reading) {
+  const auto& beams = reading.setup.get<BeamParameters>();
+  if (beams && rebonding_strain(p, *beams) >= 1)
+    section.refuse("rebonding_pressure", "no contact can bear so much: its elements would meet",
+                   "less than stiffness_ratio times Young's modulus of the beams");
   const auto& plasticity = reading.setup.get<PlasticityParameters>();
   if (p.rebonding_pressure && plasticity &&
       plasticity->law == PlasticityParameters::Law::scaled_offset)
@@ -218,8 +311,9 @@ void plan_contact(const Setup& setup, Plan& plan) {
   if (!contact) return;
   plan.effects.push_back(
       {"contact", "[contact]", "", Phase::push, [contact = *contact](Assembly& assembly) {
-         return std::make_unique<ElementContacts>(contact, assembly.need<Beams>(),
-                                                  assembly.need<Rupture>(), assembly.model);
+         return std::make_unique<ElementContacts>(
+             contact, rebonding_strain(contact, *assembly.setup.get<BeamParameters>()),
+             assembly.need<Beams>(), assembly.need<Rupture>(), assembly.model);
        }});
 }
 

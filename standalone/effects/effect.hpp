@@ -63,6 +63,13 @@ struct ObservedMotion {
   std::vector<Vector> velocity;          ///< m/s
   std::vector<Vector> angular_velocity;  ///< rad/s
   double kinetic_energy = 0;             ///< of the motion that no grip imposes, J
+  double squared_impulse = 0;  ///< Σ ½ F²/m + ½ M²/J of the same, J/s²: times the square of
+                               ///< half a step, what half a kick makes of kinetic energy
+
+  /// Enters a force (or a moment) on something of this inverse mass (or inertia) beside another.
+  void add_impulse(const Vector& before, const Vector& after, double inverse_mass) {
+    squared_impulse += 0.5 * inverse_mass * (dot(after, after) - dot(before, before));
+  }
 };
 
 /// Heat at one instant.
@@ -148,6 +155,8 @@ class Effect : public Observer {
   }
   /// By how much stiffness may grow in the run beyond that of the start.
   virtual double stiffening() const { return 1; }
+  /// By how much it has grown so far, at most, in the same measure.
+  virtual double stiffened() const { return 1; }
 
   /// Work done on the body from outside since the start, J.
   virtual double work() const { return 0; }

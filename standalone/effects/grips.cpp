@@ -175,23 +175,31 @@ void Grip::correct_motion(const Model& model, const Vector& grip_force,
                           Observation& observation) const {
   const bool held = parameters_.rotation_fixed && model.has(columns::angular_velocity);
   const double total_mass = present_mass(model);
-  double& energy = observation.motion.kinetic_energy;
+  ObservedMotion& motion = observation.motion;
+  double& energy = motion.kinetic_energy;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     if (!is_present(model, elements_[k])) continue;
     const auto i = static_cast<std::size_t>(elements_[k]);
     for (int axis = 0; axis < 3; ++axis) {
-      double& v = component(observation.motion.velocity[i], axis);
+      double& v = component(motion.velocity[i], axis);
+      Vector alone{}, in_all{};
+      component(alone, axis) = component(motion.force[i], axis);
       energy -= 0.5 * mass_[k] * v * v;
       if (imposed(axis)) {
         v = imposed_velocity(axis, observation.time);
       } else {
-        v += component(grip_force, axis) / total_mass * observation.behind;
+        const double acceleration = component(grip_force, axis) / total_mass;
+        component(in_all, axis) = component(alone, axis) + mass_[k] * acceleration;
+        v += acceleration * observation.behind;
         energy += 0.5 * mass_[k] * v * v;
       }
+      motion.add_impulse(alone, in_all, 1 / mass_[k]);
     }
     if (!held) continue;
-    Vector& spin = observation.motion.angular_velocity[i];
-    energy -= 0.5 * dot(spin, spin) / model.data(columns::inverse_inertia)[i];
+    Vector& spin = motion.angular_velocity[i];
+    const double inverse_inertia = model.data(columns::inverse_inertia)[i];
+    energy -= 0.5 * dot(spin, spin) / inverse_inertia;
+    motion.add_impulse(motion.moment[i], {}, inverse_inertia);
     spin = {};
   }
 }

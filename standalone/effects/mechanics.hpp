@@ -31,8 +31,8 @@ class Mechanics : public Effect {
   /// A small energy to measure round-off by: that of one pair, J.
   virtual double typical_energy(const Model& model) const = 0;
 
-  /// The most that the forces could give to motion besides what was put in, J.
-  virtual double releasable_energy(const Model& /*model*/) const { return 0; }
+  /// Whether the forces can give more to motion than was put in: elements attract each other.
+  virtual bool releases_energy() const { return false; }
 
   /// Calls visit(i, j, force on i) once for each pair that acts.
   using PairVisit = std::function<void(std::int32_t, std::int32_t, const Vector&)>;

@@ -16,7 +16,11 @@ const char* name_of(BeamParameters::Law law) {
 }
 
 const char* name_of(PlasticityParameters::Law law) {
-  return law == PlasticityParameters::Law::scaled_offset ? "scaled-offset" : "radial-return";
+  return name_in(flow_rules, law);
+}
+
+const char* name_of(JudgedSection section) {
+  return name_in(judged_sections, section);
 }
 
 std::string name_of(const YieldLaw& law) {

@@ -68,12 +68,14 @@ struct PlasticityParameters {
   using Law = FlowRule;
   Law law = Law::radial_return;
   YieldLaw hardening;
+  JudgedSection section = JudgedSection::middle;
 };
 
 /// Rupture of beam bonds.
 struct RuptureParameters {
   RuptureLaw law;
   int minimal_bonds = 0;  ///< elements that lost bonds and keep fewer are removed
+  JudgedSection section = JudgedSection::middle;
 };
 
 /// Names of laws of bonds, as a scene spells them.
@@ -147,6 +149,7 @@ struct ConductionParameters {
 /// As a scene spells them.
 const char* name_of(BeamParameters::Law law);
 const char* name_of(PlasticityParameters::Law law);
+const char* name_of(JudgedSection section);
 const char* name_of(CentralForceParameters::Equilibrium equilibrium);
 const char* name_of(CentralForceParameters::Neighbours neighbours);
 const char* name_of(ConductionParameters::Law law);

@@ -11,18 +11,25 @@ namespace {
 using Law = PlasticityParameters::Law;
 
 Key flow_rule_key(PlasticityParameters& p) {
-  return may_have("law", choice<Law>(p.law, {{"radial-return", Law::radial_return},
-                                             {"scaled-offset", Law::scaled_offset}}))
+  return may_have("law", choice<Law>(p.law, choices_of(flow_rules)))
       .means(
           "radial return yields again when the stress comes back to the yield stress, in either "
-          "direction; the scaled offset only beyond the largest strain before");
+          "direction; the scaled offset only beyond the largest strain before; associated flow as "
+          "radial return, normal to the yield surface");
+}
+
+std::vector<Key> own_keys(PlasticityParameters& p) {
+  return {flow_rule_key(p), section_key(p.section)};
 }
 
 void read_plasticity(const Value& value, Reading& reading) {
   table([&](const Section& section) {
     PlasticityParameters p;
     const auto& beams = reading.setup.get<BeamParameters>();
-    read_bond_law<YieldLaws>(section, "hardening", {flow_rule_key(p)}, beams, p.hardening);
+    read_bond_law<YieldLaws>(section, "hardening", own_keys(p), beams, p.hardening);
+    if (p.law == Law::associated && p.section != JudgedSection::middle)
+      section.refuse("section", "associated flow is of the resultants at mid-length",
+                     "section = \"middle\", or another law");
     if (!beams) return;  // refused as a whole
     if (beams->precision == BeamParameters::Precision::mixed)
       section.refuse("beams in mixed precision are elastic", "precision = \"double\" in [beams]");
@@ -45,11 +52,12 @@ EffectKind plasticity_kind() {
   kind.read = read_plasticity;
   kind.visit_keys = [](const VisitKeys& visit) {
     PlasticityParameters p;
-    visit_law_keys<YieldLaws>("plasticity", "hardening", {flow_rule_key(p)}, visit);
+    visit_law_keys<YieldLaws>("plasticity", "hardening", own_keys(p), visit);
   };
   kind.explain = [](const Setup& setup, const Specimen&, nlohmann::ordered_json& values) {
     const PlasticityParameters& p = *setup.get<PlasticityParameters>();
     values["law"] = name_of(p.law);
+    values["section"] = name_of(p.section);
     values["hardening"] = name_of(p.hardening);
     add_parameters(values, p.hardening);
   };

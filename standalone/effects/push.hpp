@@ -33,6 +33,7 @@ inline void observe_push(const Model& model, Observation& observation, std::int3
   const double inverse_mass = model.data(columns::inverse_mass)[i];
   if (!(inverse_mass > 0)) return;
   ObservedMotion& motion = observation.motion;
+  motion.add_impulse(motion.force[i], motion.force[i] + force, inverse_mass);
   motion.force[i] += force;
   Vector& v = motion.velocity[i];
   const Vector gain = observation.behind * inverse_mass * force;

@@ -49,8 +49,9 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Runs so many time steps; the one that reaches the duration ends there. Throws RunError within
-  /// 256 steps of the elements moving with more energy than was ever put in, or of a temperature
-  /// below absolute zero.
+  /// 256 steps, and at the last of them, when the elements move with more energy than was ever put
+  /// in or are held more stiffly than the time step allows, and of a temperature below absolute
+  /// zero.
   void advance(std::int64_t steps);
 
   /// Throws RunError where the state now shows that the run diverged.
@@ -116,9 +117,18 @@ class Simulation {
   /// Length of the next step, s: the last one before the duration may be shorter.
   double next_length() const;
   void finish_step(double length);
-  /// The most work that was ever in the body, J. Throws RunError when the elements move with more
-  /// energy than that.
-  double check_energy_bound() const;
+  /// What the balance that stops a diverging run needs to know.
+  struct Motion {
+    double kinetic, spent, work;  ///< J
+  };
+  Motion present_motion() const;
+  /// Energy that has come out of what was stored at the start, J.
+  double released_energy() const;
+  /// Throws RunError when the elements move with more energy than was ever put in, or are held more
+  /// stiffly than the time step allows. The most work that was ever in the body, J.
+  double check_stability() const;
+  /// ½ m (v² − v₋·v₊) of all that moves, with its velocities half a step before and after, J.
+  double swing_of(const ObservedMotion& motion) const;
   void step_once(const Step& step);
   /// Whether a run changes a column, so that it belongs into a checkpoint.
   bool changes(const Column& column) const;
@@ -142,7 +152,12 @@ class Simulation {
   Mechanics* mechanics_ = nullptr;  ///< what moves elements, if anything does
   std::unique_ptr<Heat> heat_;
   std::vector<double> specimen_marks_;  ///< by which a checkpoint knows what it was made of
+  double motion_limit_ = 0;             ///< longest stable step of the motion at the start, s
   double initial_energy_ = 0;
+  double initially_stored_ = 0;  ///< of it, J
+  double initial_swing_ = 0;     ///< J
+  mutable double vouched_energy_ =
+      0;                         ///< of motion, for which what was released was found to suffice, J
   double largest_work_ = 0;      ///< that was ever in the body, J
   double round_off_energy_ = 0;  ///< J
 };

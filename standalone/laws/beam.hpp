@@ -217,6 +217,41 @@ constexpr Real beam_energy(const BeamRigidity<Real>& rigidity, const BeamPose<Re
           rigidity.torsion * deformation.twist * deformation.twist);
 }
 
+/// The elastic deformation of a beam in the measures of which its energy is the square, in body
+/// axes of element i: rigid motion does not change it.
+template <class Real>
+struct BeamModes {
+  Vector3<Real> lean_i;  ///< a_i − x
+  Vector3<Real> lean_j;  ///< a_j − x
+  Real extension;        ///< m
+  Real twist;            ///< rad
+};
+
+template <class Real>
+constexpr BeamModes<Real> beam_modes(const BeamPose<Real>& pose,
+                                     const BeamDeformation<Real>& deformation,
+                                     const Quaternion<Real>& orientation_i) {
+  const Quaternion<Real> back = conjugate(orientation_i);
+  return {rotate(back, pose.normal_i - deformation.direction),
+          rotate(back, pose.normal_j - deformation.direction), deformation.extension,
+          deformation.twist};
+}
+
+/// Mutual energy of two deformations of a beam, J: half of what the load of one does along the
+/// other. That of one and the same is its energy.
+template <class Real>
+constexpr Real mutual_energy(const BeamRigidity<Real>& rigidity, const Real& rest_length,
+                             const BeamModes<Real>& a, const BeamModes<Real>& b) {
+  const Real half{0.5}, three{3.0};
+  const Real leaning = dot(a.lean_i, b.lean_i) + dot(a.lean_j, b.lean_j);
+  const Real bending = dot(a.lean_j - a.lean_i, b.lean_j - b.lean_i);
+  return half *
+         (rigidity.axial * a.extension * b.extension + three * rigidity.shear * leaning -
+          half * (three * rigidity.shear - rigidity.bending) * bending +
+          rigidity.torsion * a.twist * b.twist) /
+         rest_length;
+}
+
 /// Elastic energy of a beam that has yielded nowhere.
 template <class Real>
 constexpr Real beam_energy(const BeamRigidity<Real>& rigidity, const Real& rest_length,

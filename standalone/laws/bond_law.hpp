@@ -7,6 +7,7 @@
 #define SOLIDEM_LAWS_BOND_LAW_HPP
 
 #include <cmath>
+#include <cstddef>
 
 namespace solidem {
 
@@ -28,7 +29,35 @@ struct BondLawParameter {
   }
 };
 
-/// The strains of a bond, each a stress at mid-length over E: elastic, but for the plastic one.
+/// One of several choices and its name.
+template <class Choice>
+struct NamedChoice {
+  const char* name;
+  Choice choice;
+};
+
+/// The name of one.
+template <class Choice, std::size_t count>
+constexpr const char* name_in(const NamedChoice<Choice> (&table)[count], Choice choice) {
+  for (const auto& named : table)
+    if (named.choice == choice) return named.name;
+  return "";
+}
+
+/// Where along a beam its bending is judged: its bending moment goes linearly from end to end.
+enum class JudgedSection {
+  middle,  ///< at mid-length, where shear with held rotations bends nothing
+  ends,    ///< at the end that is bent more
+  worst    ///< wherever it is largest
+};
+
+/// What scenes and bond styles call them.
+inline constexpr NamedChoice<JudgedSection> judged_sections[] = {{"middle", JudgedSection::middle},
+                                                                 {"ends", JudgedSection::ends},
+                                                                 {"worst", JudgedSection::worst}};
+
+/// The strains of a bond, each a stress in the judged section over E: elastic, but for the plastic
+/// one.
 template <class Real>
 struct BondStrain {
   Real equivalent;  ///< σ_e / E

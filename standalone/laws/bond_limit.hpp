@@ -12,14 +12,19 @@
 namespace solidem {
 
 /// When and how far bonds flow: beam_plasticity.hpp.
-enum class FlowRule { radial_return, scaled_offset };
+enum class FlowRule { radial_return, scaled_offset, associated };
+
+/// What scenes and bond styles call them.
+inline constexpr NamedChoice<FlowRule> flow_rules[] = {{"radial-return", FlowRule::radial_return},
+                                                       {"scaled-offset", FlowRule::scaled_offset},
+                                                       {"associated", FlowRule::associated}};
 
 /// The equivalent strain since the last flow up to which a bond of the plastic strain κ surely does
 /// not flow.
 template <class Law, class Real>
 constexpr Real strain_before_flow(const Law& law, FlowRule rule, const Real& plastic_strain) {
   const Real limit = law.lower_bound(plastic_strain), none{0.0};
-  if (rule == FlowRule::radial_return) return limit;
+  if (rule != FlowRule::scaled_offset) return limit;
   // What the strain since the bond was made tells cannot be told from that since the last flow.
   return select(greater(plastic_strain, none), none, limit);
 }

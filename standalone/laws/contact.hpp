@@ -3,8 +3,9 @@
 // Contact of two elements that no bond joins: a linear spring that only pushes,
 //   F_i = −k (d_c − L) x   while L < d_c,
 // x the unit chord from i to j, L its length. Two elements that were bonded touch at the distance
-// they had then if they overlapped (else they would be thrown apart when the bond breaks); all
-// others where their spheres meet.
+// they had then if they overlapped (else they would be thrown apart when the bond breaks), or so
+// much nearer that the contact pushes no harder than the bond did; all others where their spheres
+// meet.
 #ifndef SOLIDEM_LAWS_CONTACT_HPP
 #define SOLIDEM_LAWS_CONTACT_HPP
 
@@ -20,6 +21,16 @@ constexpr Real contact_distance(const Real& rest_length, const Real& plastic_ext
   const Real shortened = rest_length + plastic_extension;
   const Real length = select(greater(rest_length, shortened), shortened, rest_length);
   return select(greater(radii, length), length, radii);
+}
+
+/// The same of a bond that breaks while it is `length` long and pushes its elements apart with
+/// `push`, N: no farther than where a contact of this stiffness, N/m, pushes as much, so that it
+/// takes over what the bond bears, and no more. `free_distance`: d_c without a push.
+template <class Real>
+constexpr Real contact_distance(const Real& free_distance, const Real& length, const Real& push,
+                                const Real& stiffness) {
+  const Real taken_over = length + push / stiffness;
+  return select(greater(free_distance, taken_over), taken_over, free_distance);
 }
 
 /// The same where nothing has flowed.

@@ -43,6 +43,14 @@ inline constexpr Column pose{
 inline constexpr Column position{
     "position", Site::element, Layout::rows, 4,
     2,          true,          "m",          "centre x y z, fraction of the range"};
+inline constexpr Column last_pose{"last_pose",
+                                  Site::element,
+                                  Layout::rows,
+                                  8,
+                                  1,
+                                  true,
+                                  "m, 1",
+                                  "the pose one step before, from which plastic work is counted"};
 inline constexpr Column velocity{
     "velocity", Site::element, Layout::lanes, 3,
     1,          true,          "m/s",         "half a time step behind the pose"};

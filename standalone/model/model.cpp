@@ -100,6 +100,12 @@ double* Model::next(const Column& column) {
   return storage.buffer[1 - storage.current].data();
 }
 
+void Model::swap(const Column& column, const Column& before) {
+  swap(column);
+  Storage& storage = require(column);
+  std::swap(storage.buffer[1 - storage.current], require(before).buffer[0]);
+}
+
 void Model::swap(const Column& column) {
   Storage& storage = require(column);
   storage.current = 1 - storage.current;

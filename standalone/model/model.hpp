@@ -66,6 +66,8 @@ class Model {
   double* next(const Column& column);
   /// Makes what was written what is read.
   void swap(const Column& column);
+  /// The same; what was read before goes to another column of such rows.
+  void swap(const Column& column, const Column& before);
 
   /// Centres of the elements, m: the first three of a row of doubles each, whichever column holds
   /// them.

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 
+#include "model/error.hpp"
 #include "support/beams.hpp"
 
 namespace solidem {
@@ -83,9 +85,12 @@ TEST_P(EnergyOfFlow, is_accounted_for_the_better_the_finer_the_step) {
   std::printf("  %s: plastic work %.2f of the energy; balance %.1e, %.1e, %.1e, %.1e; order %.2f\n",
               c.name, fraction, errors[0], errors[1], errors[2], errors[3], order);
   EXPECT_GT(fraction, 0.1);
-  EXPECT_LT(errors[3], 2e-3);
-  // Each flow is counted with the load after it: of first order in the step.
-  EXPECT_GT(order, 0.8);
+  // Each flow is counted with the loads before and after it, on the yield surface. The falls of the
+  // scaled offset are not resolved.
+  const bool falls = c.flow == FlowLaw::scaled_offset;
+  EXPECT_LT(errors[0], falls ? 4e-3 : 1e-3);
+  EXPECT_LT(errors[3], falls ? 3e-4 : 2e-5);
+  EXPECT_GT(order, falls ? 1 : 1.8);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -138,7 +143,8 @@ TEST_P(EnergyOfRupture, is_accounted_for_the_better_the_finer_the_step) {
   EXPECT_GT(broken, 10);
   EXPECT_GT(fraction, 0.001);
   // Which bonds break depends on the step, so there is no order to be seen from run to run.
-  EXPECT_LT(errors.back(), 0.3 * errors.front());
+  EXPECT_LT(errors.front(), 1.5e-3);
+  EXPECT_LT(errors.back(), 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, EnergyOfRupture, testing::Bool());
@@ -156,6 +162,147 @@ TEST(EnergyOfRupture, of_one_bond_is_what_it_stored) {
   const double expected = 0.5 * 3.5e12 * section * l * 1e-4;
   EXPECT_NEAR(seen(simulation, "fracture_energy"), expected, 1e-3 * expected);
   EXPECT_NEAR(seen(simulation, "external_work"), expected, 1e-3 * expected);
+}
+
+/// A pair of which the first element is held and the second thrown along the bond.
+Simulation thrown_pair(double speed, double break_strain, double contact_ratio, double ratio) {
+  auto setup = beam_setup();
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(break_strain);
+  setup.get<ContactParameters>() = ContactParameters{contact_ratio, {}};
+  setup.all<GripParameters>() = {hold("left", face(0, false))};
+  setup.all<InitialVelocity>().push_back({face(0, true), {speed, 0, 0}});
+  setup.run.time_step_ratio = ratio;
+  return Simulation(setup, row_of(2));
+}
+
+/// Largest balance of the energy in so many steps, over what there was.
+double worst_balance(Simulation& simulation, int steps) {
+  const double start = seen(simulation, "kinetic_energy");
+  double worst = 0;
+  for (int n = 0; n < steps; ++n) {
+    simulation.advance(1);
+    worst = std::max(worst, std::fabs(seen(simulation, "energy_balance")) / start);
+  }
+  return worst;
+}
+
+TEST(EnergyOfRupture, of_a_torn_pair_is_whole_at_any_step) {
+  for (const double ratio : {0.3, 0.1}) {
+    Simulation simulation = thrown_pair(1200, 0.02, 1, ratio);
+    EXPECT_LT(worst_balance(simulation, static_cast<int>(30 / ratio)), 1e-10) << ratio;
+    EXPECT_EQ(seen(simulation, "broken_bonds"), 1);
+  }
+}
+
+TEST(EnergyOfRupture, under_pressure_is_never_less_than_none_however_stiff_the_contact) {
+  for (const double contact_ratio : {0.5, 1.0, 2.0, 4.0})
+    for (const double ratio : {0.3, 0.1}) {
+      Simulation simulation = thrown_pair(-1200, 0.02, contact_ratio, ratio);
+      const double start = seen(simulation, "kinetic_energy");
+      EXPECT_LT(worst_balance(simulation, static_cast<int>(60 / ratio)), 2 * ratio * ratio)
+          << contact_ratio;
+      ASSERT_EQ(seen(simulation, "broken_bonds"), 1);
+      EXPECT_EQ(seen(simulation, "contact_energy"), 0) << "they have parted";
+      const double left = seen(simulation, "kinetic_energy") / start;
+      EXPECT_GE(seen(simulation, "fracture_energy"), -0.01 * ratio * ratio * start);
+      // A step across the moment in which they part is of second order.
+      EXPECT_LE(left, 1 + 0.3 * ratio * ratio) << contact_ratio << ", step " << ratio;
+      EXPECT_GT(left, 0.1);
+    }
+}
+
+TEST(EnergyOfRupture, of_a_removed_element_takes_its_motion_with_it) {
+  // The middle of three loses both bonds and is taken out while it moves.
+  for (const double ratio : {0.2, 0.1}) {
+    auto setup = beam_setup();
+    setup.get<RuptureParameters>() = breaking_at_elastic_strain(0.01);
+    setup.get<RuptureParameters>()->minimal_bonds = 2;
+    setup.run.time_step_ratio = ratio;
+    Simulation simulation(setup, row_of(3));
+    for (std::size_t i = 0; i < 3; ++i)
+      set_velocity(simulation, i, {i == 2 ? 900.0 : 100.0, 30, 0});
+    EXPECT_LT(worst_balance(simulation, static_cast<int>(10 / ratio)), 0.5 * ratio * ratio);
+    EXPECT_GE(seen(simulation, "removed_elements"), 1);
+  }
+}
+
+TEST(BondsMadeAnew, are_as_much_shorter_as_the_step_allows_for) {
+  auto setup = beam_setup();
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(0.004);
+  setup.get<ContactParameters>() = ContactParameters{};
+  const Specimen body = jittered("bcc", {4, 2, 2});
+  const TimeStepChoice without = Simulation(setup, body).time_step();
+  setup.get<ContactParameters>()->rebonding_pressure = 0.36 * 3.5e12;
+  const TimeStepChoice with = Simulation(setup, body).time_step();
+  EXPECT_NEAR(with.value, 0.8 * without.value, 1e-12 * without.value);
+  EXPECT_NEAR(with.limit, 0.8 * without.limit, 1e-12 * without.limit);
+}
+
+/// Energy that a bar gains while its ends are driven at each other and its faces bond anew.
+struct Crushed {
+  double gain = 0;  ///< over the work
+  double made = 0;
+  std::string said{};
+};
+
+Crushed crushed_bar(double ratio) {
+  auto setup = beam_setup();
+  setup.get<RuptureParameters>() = breaking_at_elastic_strain(0.01);
+  setup.get<ContactParameters>() = ContactParameters{1, 0.02 * 3.5e12};
+  setup.run.time_step_ratio = ratio;
+  setup.all<GripParameters>() = {hold("left", face(0, false, 1)),
+                                 pull("right", face(0, true, 1), -2000)};
+  Simulation simulation(setup, jittered("bcc", {8, 3, 3}));
+  Crushed crushed;
+  try {
+    while (simulation.time() < 4e-7) {
+      simulation.advance(4);
+      const HistoryRow row = simulation.observe();
+      crushed.gain =
+          std::max(crushed.gain, value_of(row, "energy_balance") / value_of(row, "external_work"));
+      crushed.made = value_of(row, "bonds_formed");
+    }
+  } catch (const RunError& error) {
+    crushed.said = error.what();
+  }
+  return crushed;
+}
+
+TEST(BondsMadeAnew, give_no_energy_or_end_the_run) {
+  bool ended = false;
+  for (const double ratio : {0.9, 0.6, 0.3, 0.15}) {
+    const Crushed crushed = crushed_bar(ratio);
+    std::printf("  step %.2f: %.0f bonds made, gain %.1e %s\n", ratio, crushed.made, crushed.gain,
+                crushed.said.c_str());
+    if (crushed.said.empty()) {
+      EXPECT_LT(crushed.gain, 0.1 * ratio) << ratio;
+      EXPECT_GT(crushed.made, 10) << ratio;
+    } else {
+      EXPECT_NE(crushed.said.find("smaller time step"), std::string::npos) << crushed.said;
+      EXPECT_GT(ratio, 0.3);
+      ended = true;
+    }
+  }
+  EXPECT_TRUE(ended);
+}
+
+TEST(SectionOfRupture, is_at_the_ends_where_asked) {
+  // Sheared by 4 % of its length with rotations held, a bond is bent at its ends alone.
+  for (const JudgedSection section :
+       {JudgedSection::middle, JudgedSection::ends, JudgedSection::worst}) {
+    auto setup = yielding_setup(2e-3, 0);
+    setup.get<PlasticityParameters>()->section = section;
+    setup.get<RuptureParameters>() = breaking_at_strain(0.02);
+    setup.get<RuptureParameters>()->section = section;
+    auto right = hold("right", face(0, true));
+    right.axis[1].function = {{0, 1e-6}, {0, 0.08 * hand_radius}};
+    setup.all<GripParameters>() = {hold("left", face(0, false)), right};
+    setup.run.time_step = 1e-9;
+    Simulation simulation(setup, row_of(2));
+    simulation.advance(1000);
+    EXPECT_EQ(seen(simulation, "broken_bonds"), section == JudgedSection::middle ? 0 : 1);
+    EXPECT_EQ(seen(simulation, "plastic_work") > 0, section != JudgedSection::middle);
+  }
 }
 
 }  // namespace

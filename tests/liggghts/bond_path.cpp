@@ -77,6 +77,9 @@ int main(int argc, char** argv) {
       if (plasticity == "scaled-offset")
         return solidem::scaled_offset_response(yield, beam, history, rest_direction, pose.chord,
                                                pose.first, pose.second);
+      if (plasticity == "associated")
+        return solidem::associated_response(yield, beam, history, pose.chord, pose.first,
+                                            pose.second);
       return solidem::radial_return_response(yield, beam, history, pose.chord, pose.first,
                                              pose.second);
     };

@@ -38,7 +38,7 @@ WRONG = {
     ),
     "unknown plasticity": (
         BEAM.replace("0.3", "0.3 plasticity j2 1e6 0"),
-        "unknown plasticity 'j2'; known are radial-return, scaled-offset",
+        "unknown plasticity 'j2'; known are radial-return, scaled-offset, associated",
     ),
     "negative yield stress": (
         BEAM.replace("0.3", "0.3 plasticity radial-return -1e6 0"),

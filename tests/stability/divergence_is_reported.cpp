@@ -12,7 +12,7 @@
 
 #include "engine/run.hpp"
 #include "model/error.hpp"
-#include "support/beams.hpp"
+#include "support/central_forces.hpp"
 
 namespace solidem {
 namespace {
@@ -46,8 +46,8 @@ std::int64_t first_astray(const Setup& setup, const Specimen& body) {
   Simulation simulation(setup, body, true);
   const double start = seen(simulation, "kinetic_energy");
   for (int n = 0; n < 20000; ++n) {
-    simulation.advance(1);
     try {
+      simulation.advance(1);
       const HistoryRow row = simulation.observe();
       if (value_of(row, "energy_balance") > 10 * start) return simulation.step();
     } catch (const RunError&) {
@@ -131,6 +131,26 @@ TEST(Divergence, is_not_reported_of_a_sound_run) {
     EXPECT_TRUE(run(simulation, options));
     std::filesystem::remove_all(folder);
   }
+}
+
+TEST(Divergence, of_a_short_run_is_reported_by_its_end) {
+  // Fifty steps at three times the limit: fewer than there are between two looks at the energy.
+  auto setup = setup_of(Case{"short", 3});
+  const Specimen body = jittered("bcc", {4, 2, 2});
+  setup.run.time_step = 3 * Simulation(setup, body).time_step().limit;
+  Simulation simulation(setup, body, true);
+  EXPECT_THROW(simulation.advance(50), RunError);
+}
+
+TEST(Divergence, of_one_element_among_many_is_reported_under_central_forces) {
+  // An element that comes to stand deep in another in a single step takes energy from nowhere.
+  LennardJones law;
+  law.energy = 0.04;
+  auto setup = central_setup(law);
+  setup.run.time_step_ratio = 0.6;
+  Simulation simulation(setup, crystal("fcc", {6, 6, 6}, {true, true, true}));
+  set_velocity(simulation, 0, {1e5, 9e4, 3e4});
+  EXPECT_THROW(simulation.advance(256), RunError);
 }
 
 }  // namespace

@@ -129,7 +129,8 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
     }
     if (action.contact_energy != 0.0)
       contact_energy_ += owned_fraction(i, j) * action.contact_energy;
-    if (action.breaks || action.forms) enter(action, owned_fraction(i, j));
+    if (action.breaks || action.forms || action.fracture_energy != 0.0)
+      enter(action, owned_fraction(i, j));
     if (evflag) {
       const double d[3] = {-place.chord.x, -place.chord.y, -place.chord.z};
       const Vector& force_i = action.load.force;

@@ -38,7 +38,7 @@ void store(double* place, const Vector& a) {
 }  // namespace
 
 int SolidemBeam::width() const {
-  if (plasticity == SCALED_OFFSET) return Row::WITH_REST_DIRECTION;
+  if (is_offset()) return Row::WITH_REST_DIRECTION;
   return may_change() ? Row::CHANGING : Row::ELASTIC;
 }
 
@@ -64,9 +64,10 @@ void SolidemBeam::make(double* memory, const SolidemBondEnds& ends) const {
   if (!may_change()) return;
   store(memory + Row::NORMAL_J, solidem::rotate(solidem::conjugate(ends.orientation_j), direction));
   memory[Row::EXTENSION] = memory[Row::PLASTIC_STRAIN] = memory[Row::RUPTURE] = 0.0;
+  memory[Row::ENERGY] = 0.0;
+  keep_last(memory, {}, 0.0);
   memory[Row::TWIST] = 2.0 * dot((ends.orientation_j * back_i).v, direction);
-  if (plasticity == SCALED_OFFSET)
-    store(memory + Row::REST_DIRECTION, solidem::rotate(back_i, direction));
+  if (is_offset()) store(memory + Row::REST_DIRECTION, solidem::rotate(back_i, direction));
 }
 
 /* ----------------------------------------------------------------------
@@ -78,8 +79,13 @@ SolidemBondAction SolidemBeam::act_broken(double* memory, const SolidemBondEnds&
                                           bool energies) const {
   if (!acts_as_beam(memory, step)) {
     if (!Row::is_whole(memory) || made_anew(memory, step)) return act_apart(memory, ends, step);
+    // The push that the bond took the place of worked once more on the way from there.
+    const double work =
+        0.5 * memory[Row::FLOW] * (solidem::norm(ends.chord) - memory[Row::REST_LENGTH]);
     memory[Row::RUPTURE] = memory[Row::FLOW] = 0.0;
-    return act(memory, ends, step, energies);
+    SolidemBondAction action = act(memory, ends, step, energies);
+    action.fracture_energy -= work;
+    return action;
   }
   const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
   const State now = state(memory, ends, bond.rest_length);
@@ -94,7 +100,7 @@ SolidemBondAction SolidemBeam::act_near_limit(double* memory, const SolidemBondE
                                               const YieldingBeam<double>& bond, State now,
                                               double step, bool energies) const {
   SolidemBondAction action;
-  if (plasticity == NONE || memory[Row::FLOW] != step + 1.0) {
+  if (!flows || memory[Row::FLOW] != step + 1.0) {
     const solidem::BondStrain<double> strain = flow(memory, ends, bond, now, step);
     action.breaks = breaks && solidem::breaks(rupture, strain);
   }
@@ -103,8 +109,12 @@ SolidemBondAction SolidemBeam::act_near_limit(double* memory, const SolidemBondE
     action.elastic_energy = solidem::beam_energy(bond.rigidity, now.pose, now.deformation);
   if (action.breaks) {
     memory[Row::RUPTURE] = step + 1.0;
+    memory[Row::FLOW] = touching_distance(memory, ends, bond, action.load.force);
     action.contact_energy = contact(memory, ends).energy;
     action.fracture_energy = action.elastic_energy - action.contact_energy;
+    memory[Row::ENERGY] = action.fracture_energy;
+    keep_last(memory, solidem::beam_modes(now.pose, now.deformation, ends.orientation_i),
+              solidem::norm(contact(memory, ends).force));
     action.elastic_energy = 0.0;
   }
   return action;
@@ -116,13 +126,16 @@ solidem::BeamResponse<double> SolidemBeam::response(const double* memory,
                                                     const YieldingBeam<double>& bond,
                                                     const State& now) const {
   const BeamHistory<double> before = history(memory);
-  if (plasticity == NONE) return solidem::elastic_response(bond, before, now.pose, now.deformation);
+  if (!flows) return solidem::elastic_response(bond, before, now.pose, now.deformation);
   return std::visit(
       [&](const auto& known) {
         const solidem::YieldCurve<std::decay_t<decltype(known)>, double> yield{known};
-        if (plasticity == RADIAL_RETURN)
+        if (flow_rule == solidem::FlowRule::radial_return)
           return solidem::radial_return_response(yield, bond, before, ends.chord,
                                                  ends.orientation_i, ends.orientation_j);
+        if (flow_rule == solidem::FlowRule::associated)
+          return solidem::associated_response(yield, bond, before, ends.chord, ends.orientation_i,
+                                              ends.orientation_j);
         return solidem::scaled_offset_response(yield, bond, before,
                                                solidem_vector(memory + Row::REST_DIRECTION),
                                                ends.chord, ends.orientation_i, ends.orientation_j);
@@ -140,6 +153,7 @@ solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondE
                                               const YieldingBeam<double>& bond, State& now,
                                               double step) const {
   const solidem::BeamResponse<double> response = this->response(memory, ends, bond, now);
+  keep_last(memory, response.history.last, response.history.last_strain);
   if (!(response.history.strain > memory[Row::PLASTIC_STRAIN])) return response.strains;
 
   store(memory + Row::NORMAL_I, response.history.normal_i);
@@ -153,13 +167,48 @@ solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondE
   return response.strains;
 }
 
+// Where the atoms of a bond touch that breaks in this pose with this force on i.
+double SolidemBeam::touching_distance(const double* memory, const SolidemBondEnds& ends,
+                                      const YieldingBeam<double>& bond, const Vector& force) const {
+  const double free_distance = solidem::contact_distance(bond.rest_length, memory[Row::EXTENSION],
+                                                         ends.radius_i + ends.radius_j);
+  if (contact_ratio == 0.0) return free_distance;
+  const double length = solidem::norm(ends.chord);
+  return solidem::contact_distance(free_distance, length,
+                                   std::max(0.0, -dot(force, ends.chord) / length),
+                                   contact_ratio * bond.rigidity.axial / bond.rest_length);
+}
+
+/* ----------------------------------------------------------------------
+   what a bond lost besides, by its last act in the step that led to this pose:
+   half of what its load did along the way, as that of the contact which took
+   its place. What is left of its energy is that of both poses together
+------------------------------------------------------------------------- */
+
+double SolidemBeam::lost_by_last_act(double* memory, const SolidemBondEnds& ends,
+                                     double step) const {
+  if (std::floor(memory[Row::RUPTURE]) != step) return 0.0;
+  const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
+  const State now = state(memory, ends, bond.rest_length);
+  const double* last = memory + Row::LAST;
+  const solidem::BeamModes<double> then = {solidem_vector(last), solidem_vector(last + 3), last[6],
+                                           last[7]};
+  const double push = last[8];  // of the contact, then
+  const double energy =
+      solidem::mutual_energy(bond.rigidity, bond.rest_length, then,
+                             solidem::beam_modes(now.pose, now.deformation, ends.orientation_i)) -
+      0.5 * push * (memory[Row::FLOW] - solidem::norm(ends.chord));
+  const double lost = energy - memory[Row::ENERGY];
+  memory[Row::ENERGY] = energy;  // not a second time
+  return lost;
+}
+
 // The push of two atoms whose bond broke, and the energy in it.
 SolidemBeam::Contact SolidemBeam::contact(const double* memory, const SolidemBondEnds& ends) const {
   if (contact_ratio == 0.0) return {Vector{}, 0.0};
   const double rest_length = memory[Row::REST_LENGTH];
   const double stiffness = contact_ratio * beam(ends, rest_length).rigidity.axial / rest_length;
-  const double distance =
-      solidem::contact_distance(rest_length, memory[Row::EXTENSION], ends.radius_i + ends.radius_j);
+  const double distance = memory[Row::FLOW];
   return {solidem::contact_force(stiffness, distance, ends.chord),
           solidem::contact_energy(stiffness, distance, ends.chord)};
 }
@@ -177,6 +226,7 @@ SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& 
     action.load.force = (-memory[Row::FLOW] / solidem::norm(ends.chord)) * ends.chord;
     return action;
   }
+  action.fracture_energy = lost_by_last_act(memory, ends, step);
   const double far = REACH_OF_CONTACT * (ends.radius_i + ends.radius_j);
   if (contact_ratio == 0.0 || Row::is_cut(memory) || solidem::norm(ends.chord) > far) {
     memory[Row::RUPTURE] = Row::GONE;
@@ -191,7 +241,7 @@ SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& 
     memory[Row::FLOW] = strength;
     make(memory, ends);
     memory[Row::RUPTURE] = -(step + 2.0);
-    action.fracture_energy = push.energy;
+    action.fracture_energy += push.energy;
   } else {
     action.contact_energy = push.energy;
   }
@@ -210,8 +260,8 @@ SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondE
   const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
   const State now = state(memory, ends, bond.rest_length);
   const Deformation& deformation = now.deformation;
-  const double stress = young_modulus * solidem::equivalent_strain(bond.radius, bond.shear_ratio,
-                                                                   now.pose, deformation);
+  const double stress =
+      young_modulus * solidem::equivalent_strain(bond.yield_section, bond, now.pose, deformation);
   const double force =
       bond.rigidity.axial * deformation.inverse_rest_length * deformation.extension;
   if (may_break() && Row::is_cut(memory)) return {length, force, stress, 0.0, 0.0};
@@ -222,8 +272,17 @@ SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondE
 
 double SolidemBeam::cut(double* memory, const SolidemBondEnds& ends, double step) const {
   const SolidemBondFigures now = figures(memory, ends, step);
-  memory[Row::RUPTURE] = acts_as_beam(memory, step) ? step + 1.5 : Row::GONE;
-  return now.elastic_energy + now.contact_energy;
+  const double energy = now.elastic_energy + now.contact_energy;
+  const bool acts = acts_as_beam(memory, step);
+  if (acts) {
+    const bool broke = memory[Row::RUPTURE] != 0.0;
+    const State pose = state(memory, ends, memory[Row::REST_LENGTH]);
+    keep_last(memory, solidem::beam_modes(pose.pose, pose.deformation, ends.orientation_i), 0.0);
+    // Of a bond that broke in this step, what its contact would have taken over.
+    memory[Row::ENERGY] = (broke ? memory[Row::ENERGY] : 0.0) + energy;
+  }
+  memory[Row::RUPTURE] = acts ? step + 1.5 : Row::GONE;
+  return energy;
 }
 
 }  // namespace LAMMPS_NS

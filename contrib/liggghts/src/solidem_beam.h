@@ -34,11 +34,15 @@ struct SolidemBondMemory {
     PLASTIC_WORK = 10,   ///< so far
     RUPTURE = 11,  ///< 0: whole; s + 1: broke at step s; s + 1.5: cut at step s; -(s + 2): made
                    ///< anew at step s, from the next one on it is whole; GONE: apart for good
-    FLOW = 12,     ///< s + 1: last flowed at step s; when made anew, the push at that step
-    REST_DIRECTION = 13,  ///< 3: direction when it was made, in body axes
+    FLOW = 12,     ///< s + 1: last flowed at step s; broken: where its atoms touch; made anew: the
+                   ///< push at that step
+    ENERGY = 13,   ///< broken: its energy when it acted for the last time
+    LAST = 14,  ///< 9: elastic deformation in the last pose: leans of both ends, extension, twist;
+                ///< and the strain there by which flow is judged; broken: the contact's push there
+    REST_DIRECTION = 23,  ///< 3: direction when it was made, in body axes
   };
   /// Numbers of a bond that is elastic; may flow or break; flows by the scaled offset.
-  enum Width { ELASTIC = 4, CHANGING = 13, WITH_REST_DIRECTION = 16 };
+  enum Width { ELASTIC = 4, CHANGING = 23, WITH_REST_DIRECTION = 26 };
   static constexpr double GONE = -1.0;
   static bool is_gone(const double* memory) { return memory[RUPTURE] == GONE; }
   static bool is_cut(const double* memory) {
@@ -77,7 +81,6 @@ struct SolidemBondFigures {
 /// those of laws/beam*.hpp and laws/contact.hpp. Plain data, written to restart files as it is.
 struct SolidemBeam {
   enum Law { EULER_BERNOULLI, TIMOSHENKO, SPRING };
-  enum Plasticity { NONE, RADIAL_RETURN, SCALED_OFFSET };
 
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
@@ -86,15 +89,19 @@ struct SolidemBeam {
   double ratio = 0.0;
   Law law = EULER_BERNOULLI;
   double shear_coefficient = 0.9;  ///< of TIMOSHENKO
-  Plasticity plasticity = NONE;
-  solidem::YieldLaw hardening;  ///< where it flows
+  bool flows = false;
+  solidem::FlowRule flow_rule = solidem::FlowRule::radial_return;  ///< if it flows
+  solidem::YieldLaw hardening;                                     ///< likewise
+  solidem::JudgedSection yield_section = solidem::JudgedSection::middle;
   bool breaks = false;
-  solidem::RuptureLaw rupture;  ///< where it breaks
-  double contact_ratio = 0.0;   ///< stiffness of contacts over E S / l; 0: no contact
+  solidem::RuptureLaw rupture;  ///< if it breaks
+  solidem::JudgedSection rupture_section = solidem::JudgedSection::middle;
+  double contact_ratio = 0.0;  ///< stiffness of contacts over E S / l; 0: no contact
   double rebonding_pressure = NEVER;
 
   bool may_break() const { return breaks; }
-  bool may_change() const { return plasticity != NONE || may_break(); }
+  bool is_offset() const { return flows && flow_rule == solidem::FlowRule::scaled_offset; }
+  bool may_change() const { return flows || may_break(); }
   /// Numbers of SolidemBondMemory that a bond of this type needs.
   int width() const;
 
@@ -126,6 +133,7 @@ struct SolidemBeam {
   double beam_radius(const SolidemBondEnds& ends) const;
   solidem::YieldingBeam<double> beam(const SolidemBondEnds& ends, double rest_length) const;
   solidem::BeamHistory<double> history(const double* memory) const;
+  void keep_last(double* memory, const solidem::BeamModes<double>& modes, double strain) const;
   State state(const double* memory, const SolidemBondEnds& ends, double rest_length) const;
   bool acts_as_beam(const double* memory, double step) const;
   bool made_anew(const double* memory, double step) const;
@@ -144,6 +152,9 @@ struct SolidemBeam {
                                    double step, bool energies) const;
   SolidemBondAction act_broken(double* memory, const SolidemBondEnds& ends, double step,
                                bool energies) const;
+  double touching_distance(const double* memory, const SolidemBondEnds& ends,
+                           const solidem::YieldingBeam<double>& bond, const Vector& force) const;
+  double lost_by_last_act(double* memory, const SolidemBondEnds& ends, double step) const;
   Contact contact(const double* memory, const SolidemBondEnds& ends) const;
   SolidemBondAction act_apart(double* memory, const SolidemBondEnds& ends, double step) const;
 };
@@ -165,21 +176,49 @@ inline solidem::YieldingBeam<double> SolidemBeam::beam(const SolidemBondEnds& en
                                                        double rest_length) const {
   const double thickness = beam_radius(ends);
   const solidem::BeamSection<double> section = {young_modulus, shear_modulus, thickness};
+  // Without plasticity all that is told of a bond is told of where it breaks.
+  const solidem::JudgedSection judged = flows ? yield_section : rupture_section;
   if (law == TIMOSHENKO)
-    return {solidem::timoshenko_rigidity(section, rest_length, shear_coefficient), rest_length,
-            thickness, shear_modulus / young_modulus};
+    return {solidem::timoshenko_rigidity(section, rest_length, shear_coefficient),
+            rest_length,
+            thickness,
+            shear_modulus / young_modulus,
+            judged,
+            rupture_section};
   if (law == SPRING)  // bears no bending and no torsion: neither strains it
-    return {solidem::spring_rigidity(section), rest_length, 0.0, 0.0};
-  return {solidem::euler_bernoulli_rigidity(section), rest_length, thickness,
-          shear_modulus / young_modulus};
+    return {solidem::spring_rigidity(section), rest_length, 0.0, 0.0, judged, rupture_section};
+  return {solidem::euler_bernoulli_rigidity(section),
+          rest_length,
+          thickness,
+          shear_modulus / young_modulus,
+          judged,
+          rupture_section};
 }
 
 inline solidem::BeamHistory<double> SolidemBeam::history(const double* memory) const {
   typedef SolidemBondMemory Row;
   const Vector normal_i = solidem_vector(memory + Row::NORMAL_I);
   if (!may_change()) return solidem::unyielded(normal_i);
-  return {normal_i, solidem_vector(memory + Row::NORMAL_J), memory[Row::EXTENSION],
-          memory[Row::TWIST], memory[Row::PLASTIC_STRAIN]};
+  solidem::BeamHistory<double> kept = {normal_i,
+                                       solidem_vector(memory + Row::NORMAL_J),
+                                       memory[Row::EXTENSION],
+                                       memory[Row::TWIST],
+                                       memory[Row::PLASTIC_STRAIN],
+                                       {},
+                                       0.0};
+  if (!flows) return kept;
+  const double* last = memory + Row::LAST;
+  kept.last = {solidem_vector(last), solidem_vector(last + 3), last[6], last[7]};
+  kept.last_strain = last[8];
+  return kept;
+}
+
+// The deformation in this pose, which the next flow starts from.
+inline void SolidemBeam::keep_last(double* memory, const solidem::BeamModes<double>& modes,
+                                   double strain) const {
+  const Vector &i = modes.lean_i, &j = modes.lean_j;
+  const double numbers[] = {i.x, i.y, i.z, j.x, j.y, j.z, modes.extension, modes.twist, strain};
+  for (int k = 0; k < 9; k++) memory[SolidemBondMemory::LAST + k] = numbers[k];
 }
 
 inline SolidemBeam::State SolidemBeam::state(const double* memory, const SolidemBondEnds& ends,
@@ -196,11 +235,12 @@ inline SolidemBeam::State SolidemBeam::state(const double* memory, const Solidem
 inline bool SolidemBeam::may_reach_limit(const double* memory,
                                          const solidem::YieldingBeam<double>& bond,
                                          const State& now) const {
-  if (plasticity == SCALED_OFFSET) return true;
-  const double limit = bond.rest_length *
-                       solidem::limit_strain(
-                           plasticity == NONE ? NULL : &hardening, solidem::FlowRule::radial_return,
-                           breaks ? &rupture : NULL, memory[SolidemBondMemory::PLASTIC_STRAIN]);
+  const solidem::JudgedSection middle = solidem::JudgedSection::middle;
+  if (is_offset() || yield_section != middle || rupture_section != middle) return true;
+  const double limit =
+      bond.rest_length *
+      solidem::limit_strain(flows ? &hardening : NULL, solidem::FlowRule::radial_return,
+                            breaks ? &rupture : NULL, memory[SolidemBondMemory::PLASTIC_STRAIN]);
   return solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, now.pose,
                                              now.deformation) > limit * limit;
 }
@@ -215,6 +255,9 @@ inline SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds&
   const State now = state(memory, ends, bond.rest_length);
   if (changes && may_reach_limit(memory, bond, now))
     return act_near_limit(memory, ends, bond, now, step, energies);
+  if (flows)
+    keep_last(memory, solidem::beam_modes(now.pose, now.deformation, ends.orientation_i),
+              solidem::equivalent_strain(bond.yield_section, bond, now.pose, now.deformation));
   SolidemBondAction action;
   action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);
   if (energies)

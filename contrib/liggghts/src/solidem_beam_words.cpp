@@ -139,14 +139,25 @@ void read_bond_law(Words& words, const std::string& what, double young_modulus,
   if (!found) words.fail("unknown " + what + " '" + name + "'; known are " + known);
 }
 
+// One of a table of names.
+template <class Choice, size_t count>
+void read_choice(Words& words, const std::string& what,
+                 const solidem::NamedChoice<Choice> (&table)[count], Choice& result) {
+  const std::string name = words.word(what);
+  std::string known;
+  for (const auto& named : table) {
+    if (name == named.name) {
+      result = named.choice;
+      return;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(named.name);
+  }
+  words.fail("unknown " + what + " '" + name + "'; known are " + known);
+}
+
 void read_plasticity(Words& words, SolidemBeam& beam) {
-  const std::string law = words.word("plasticity");
-  if (law == "radial-return")
-    beam.plasticity = SolidemBeam::RADIAL_RETURN;
-  else if (law == "scaled-offset")
-    beam.plasticity = SolidemBeam::SCALED_OFFSET;
-  else
-    words.fail("unknown plasticity '" + law + "'; known are radial-return, scaled-offset");
+  read_choice(words, "plasticity", solidem::flow_rules, beam.flow_rule);
+  beam.flows = true;
   if (words.is_number()) {  // without a name: linear hardening
     solidem::LinearHardening linear;
     linear.yield_strain = words.positive("the yield stress") / beam.young_modulus;
@@ -195,6 +206,12 @@ std::string law_words(const AnyLaw& any) {
       any);
 }
 
+// Where a beam is judged, unless it is where all are.
+std::string section_words(const char* key, solidem::JudgedSection section) {
+  if (section == solidem::JudgedSection::middle) return "";
+  return std::string(key) + name_in(solidem::judged_sections, section);
+}
+
 }  // namespace
 
 SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
@@ -220,14 +237,19 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
       read_strain_limit(words, key, beam);
     else if (key == "rupture")
       read_rupture(words, beam);
+    else if (key == "yield_section")
+      read_choice(words, key, solidem::judged_sections, beam.yield_section);
+    else if (key == "rupture_section")
+      read_choice(words, key, solidem::judged_sections, beam.rupture_section);
     else if (key == "contact")
       beam.contact_ratio = words.positive("the contact's stiffness ratio");
     else if (key == "rebonding_pressure")
       beam.rebonding_pressure = words.positive(key);
     else
-      words.fail("unknown keyword '" + key +
-                 "'; known are law, plasticity, rupture_stress, rupture_strain, rupture, contact, "
-                 "rebonding_pressure");
+      words.fail(
+          "unknown keyword '" + key +
+          "'; known are law, plasticity, yield_section, rupture_stress, rupture_strain, rupture, "
+          "rupture_section, contact, rebonding_pressure");
   }
   if (beam.contact_ratio > 0.0 && !beam.may_break())
     words.fail(
@@ -235,8 +257,15 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
         "contacts");
   if (std::isfinite(beam.rebonding_pressure) && beam.contact_ratio == 0.0)
     words.fail("rebonding_pressure needs contact: only contacts make bonds anew");
-  if (std::isfinite(beam.rebonding_pressure) && beam.plasticity == SolidemBeam::SCALED_OFFSET)
-    words.fail("rebonding_pressure goes with plasticity radial-return or none, not scaled-offset");
+  if (std::isfinite(beam.rebonding_pressure) && beam.is_offset())
+    words.fail("rebonding_pressure goes with any plasticity or none, but not scaled-offset");
+  const solidem::JudgedSection middle = solidem::JudgedSection::middle;
+  if (beam.yield_section != middle && !beam.flows)
+    words.fail("yield_section needs plasticity: else nothing yields");
+  if (beam.rupture_section != middle && !beam.may_break())
+    words.fail("rupture_section needs rupture_stress or rupture_strain or rupture");
+  if (beam.yield_section != middle && beam.flow_rule == solidem::FlowRule::associated)
+    words.fail("yield_section: associated flow is of the resultants in the middle");
   return beam;
 }
 
@@ -246,11 +275,12 @@ std::string solidem_write_beam(const SolidemBeam& beam) {
   if (beam.law == SolidemBeam::TIMOSHENKO)
     line += " law timoshenko " + full(beam.shear_coefficient);
   if (beam.law == SolidemBeam::SPRING) line += " law spring";
-  if (beam.plasticity != SolidemBeam::NONE)
-    line += (beam.plasticity == SolidemBeam::RADIAL_RETURN ? " plasticity radial-return "
-                                                           : " plasticity scaled-offset ") +
+  if (beam.flows)
+    line += std::string(" plasticity ") + name_in(solidem::flow_rules, beam.flow_rule) + " " +
             law_words(beam.hardening);
+  line += section_words(" yield_section ", beam.yield_section);
   if (beam.breaks) line += " rupture " + law_words(beam.rupture);
+  line += section_words(" rupture_section ", beam.rupture_section);
   if (beam.contact_ratio > 0.0) line += " contact " + full(beam.contact_ratio);
   if (std::isfinite(beam.rebonding_pressure))
     line += " rebonding_pressure " + full(beam.rebonding_pressure);

@@ -108,10 +108,10 @@ struct LimitedBonds {
 };
 
 template <class Kind>
-inline LimitedBonds limited_bonds(Kind kind, const BeamMotion& m, std::size_t element,
-                                  const SlotPlace& slot) {
-  const Row own = Row::load(m.pose + 8 * element);
-  const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
+inline LimitedBonds limited_bonds(Kind kind, const BeamMotion& m, const double* poses,
+                                  std::size_t element, const SlotPlace& slot) {
+  const Row own = Row::load(poses + 8 * element);
+  const Row other = Row::gather(poses, m.neighbour + slot.of(1));
   PackVector chord = centre(other) - centre(own);
   if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
   const Quaternion<Pack> turned = orientation(own), other_turned = orientation(other);
@@ -119,7 +119,11 @@ inline LimitedBonds limited_bonds(Kind kind, const BeamMotion& m, std::size_t el
   const BondPack bond = load_bond(kind, m, slot, chord, rotation, conjugate(turned), other_turned);
   const auto [radius, shear_ratio] = radius_and_shear_ratio(kind, m, slot, bond);
   return {
-      bond, {bond.rigidity, bond.rest_length, radius, shear_ratio}, rotation, turned, other_turned};
+      bond,
+      {bond.rigidity, bond.rest_length, radius, shear_ratio, m.yield_section, m.rupture_section},
+      rotation,
+      turned,
+      other_turned};
 }
 
 /// What bonds do under the scaled offset, which looks at the deformation since they were made.
@@ -131,6 +135,40 @@ inline BeamResponse<Pack> scaled_offset_of(Kind kind, const YieldCurve<Law, Pack
   const auto whole = since_made(kind, m, slot, bond, at.rotation, at.other_turned);
   return scaled_offset_response(yield, at.beam, bond.history, bond.pose, bond.deformation,
                                 whole.pose, whole.deformation, at.turned, at.other_turned);
+}
+
+/// What bonds remember of the last pose.
+template <class Kind>
+inline void remember_last(Kind kind, const BeamMotion& m, const SlotPlace& slot,
+                          const LimitedBonds& last, BeamHistory<Pack>& history) {
+  history.last = beam_modes(last.bond.pose, last.bond.deformation, last.turned);
+  const JudgedSection section = last.beam.yield_section;
+  if (m.flow_rule != FlowRule::scaled_offset) {
+    history.last_strain =
+        equivalent_strain(section, last.beam, last.bond.pose, last.bond.deformation);
+    return;
+  }
+  const auto whole = since_made(kind, m, slot, last.bond, last.rotation, last.other_turned);
+  history.last_strain = equivalent_strain(section, last.beam, whole.pose, whole.deformation);
+}
+
+/// What bonds do by the rule that the scene names.
+template <class Kind, class Law>
+inline BeamResponse<Pack> response_of(Kind kind, const YieldCurve<Law, Pack>& yield,
+                                      const BeamMotion& m, const SlotPlace& slot,
+                                      const LimitedBonds& at) {
+  const auto& [bond, beam, rotation, turned, other_turned] = at;
+  switch (m.flow_rule) {
+    case FlowRule::scaled_offset:
+      return scaled_offset_of(kind, yield, m, slot, at);
+    case FlowRule::associated:
+      return associated_response(yield, beam, bond.history, bond.pose, bond.deformation, turned,
+                                 other_turned);
+    case FlowRule::radial_return:
+      break;
+  }
+  return radial_return_response(yield, beam, bond.history, bond.pose, bond.deformation, turned,
+                                other_turned);
 }
 
 /// Keeps the history of lanes that flow.
@@ -148,6 +186,7 @@ inline void keep(Kind kind, const BeamMotion& m, const SlotPlace& slot, Mask flo
 template <class Law>
 inline void refresh_limit(const Law& law, const BeamMotion& m, const SlotPlace& slot, Mask flowing,
                           const Pack& plastic_strain) {
+  if (m.look_at_all) return;
   const Pack limit = smaller_of(strain_before_flow(law, m.flow_rule, plastic_strain),
                                 strain_before_rupture(m.rupture, plastic_strain));
   double* column = m.limit_strain + slot.of(1);
@@ -173,8 +212,8 @@ inline BondStrain<Pack> select(Mask condition, const BondStrain<Pack>& a,
 
 inline BondStrain<Pack> strain_of(const LimitedBonds& at) {
   const auto& [bond, beam, rotation, turned, other_turned] = at;
-  return bond_strain(beam.radius, beam.shear_ratio, bond.pose, bond.deformation,
-                     equivalent_strain(beam.radius, beam.shear_ratio, bond.pose, bond.deformation),
+  return bond_strain(beam, bond.pose, bond.deformation,
+                     equivalent_strain(beam.yield_section, beam, bond.pose, bond.deformation),
                      bond.history.strain);
 }
 
@@ -184,7 +223,7 @@ template <class Law, class Kind>
 [[gnu::noinline]] SlotLoad limited_load(const BeamMotion& m, std::size_t element,
                                         const SlotPlace& slot) {
   const Kind kind{m.bond_rigidity != nullptr};
-  LimitedBonds at = limited_bonds(kind, m, element, slot);
+  LimitedBonds at = limited_bonds(kind, m, m.pose, element, slot);
   BondPack& bond = at.bond;
   if (kind.remembers) bond.history.strain = Pack::load(m.plastic_strain + slot.of(1));
   const Mask present = is_bond(bond);
@@ -195,11 +234,10 @@ template <class Law, class Kind>
   } else {
     const Law& law = *std::get_if<Law>(m.yield);
     const YieldCurve<Law, Pack> yield{law};
+    const LimitedBonds last = limited_bonds(kind, m, m.last_pose, element, slot);
     const bool offset = m.flow_rule == FlowRule::scaled_offset;
-    const BeamResponse<Pack> response =
-        offset ? scaled_offset_of(kind, yield, m, slot, at)
-               : radial_return_response(yield, at.beam, bond.history, bond.pose, bond.deformation,
-                                        at.turned, at.other_turned);
+    remember_last(kind, m, slot, last, bond.history);
+    const BeamResponse<Pack> response = response_of(kind, yield, m, slot, at);
     const BeamHistory<Pack>& before = bond.history;
     const BeamHistory<Pack>& after = response.history;
     const Mask flowing = both(present, greater(after.strain, before.strain));

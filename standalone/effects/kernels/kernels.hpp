@@ -51,6 +51,7 @@ struct BeamMotion {
   double* plastic_extension;
   double* plastic_twist;
   double* plastic_strain;
+  const double* last_pose;  ///< null: no bond flows
   double* limit_strain;
   double* plastic_work;
   const double* bond_radius;  ///< null: `radius` holds for every bond
@@ -59,6 +60,8 @@ struct BeamMotion {
   double common_limit_strain;  ///< of bonds that are watched
   const YieldLaw* yield;       ///< null: no bond flows
   FlowRule flow_rule;
+  JudgedSection yield_section, rupture_section;
+  bool look_at_all;                      ///< bonds are judged elsewhere than the hot loop can tell
   const RuptureLaw* rupture;             ///< null: no bond breaks
   std::vector<std::uint32_t>* breaking;  ///< slots that break in this step are added here
 };
