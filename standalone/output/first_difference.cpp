@@ -18,9 +18,17 @@ Lines lines_of(const std::string& text) {
   std::string line;
   while (std::getline(stream, line)) {
     const std::size_t end = line.find(" = ");
-    lines.emplace_back(line.substr(0, end), end == std::string::npos ? "" : line.substr(end + 3));
+    if (end == std::string::npos)
+      lines.emplace_back("", line);
+    else
+      lines.emplace_back(line.substr(0, end), line.substr(end + 3));
   }
   return lines;
+}
+
+/// A line as it stood; without the name where that is known.
+std::string said(const std::pair<std::string, std::string>& line, const std::string& known = "") {
+  return line.first == known ? line.second : line.first + " = " + line.second;
 }
 
 bool has_from(const Lines& lines, std::size_t start, const std::string& name) {
@@ -34,12 +42,10 @@ std::string first_difference(const std::string& first, const std::string& second
   const Lines a = lines_of(first), b = lines_of(second);
   for (std::size_t k = 0; k < a.size() || k < b.size(); ++k) {
     if (k < a.size() && k < b.size() && a[k] == b[k]) continue;
-    if (k < a.size() && !has_from(b, k, a[k].first))
-      return a[k].first + " = " + a[k].second + ", not given";
+    if (k < a.size() && !has_from(b, k, a[k].first)) return said(a[k]) + ", not given";
     if (k < b.size() && !has_from(a, k, b[k].first))
       return b[k].first + " not given, not " + b[k].second;
-    return a[k].first + " = " + a[k].second + ", not " +
-           (a[k].first == b[k].first ? "" : b[k].first + " = ") + b[k].second;
+    return said(a[k]) + ", not " + said(b[k], a[k].first);
   }
   return "";
 }

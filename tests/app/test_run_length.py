@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import json
+import signal
+import time
 
 import h5py
 import numpy as np
@@ -71,9 +73,9 @@ def test_the_last_step_ends_at_the_duration(solidem, bar):
                        'duration = "1.03 us"\ntime_step = "10 ns"\nobserve_every = 1')
     done = solidem("run", solidem.scene("bar.toml", text), "-o", "out")
     assert done.returncode == 0, done.stderr
-    time = history_of(solidem.folder / "out")["time"]
-    assert len(time) == 104
-    assert time[-1] == 1.03e-6
+    times = history_of(solidem.folder / "out")["time"]
+    assert len(times) == 104
+    assert times[-1] == 1.03e-6
     text = text.replace("1.03 us", "1.034 us")
     assert solidem("run", solidem.scene("bar2.toml", text), "-o", "out2").returncode == 0
     history = history_of(solidem.folder / "out2")
@@ -163,3 +165,25 @@ def test_what_would_be_measured_wrongly_is_refused(solidem, bar, old, new, words
     assert done.returncode == 2
     for word in words:
         assert word in done.stderr, done.stderr
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGXCPU])
+def test_a_signal_within_a_long_step_is_answered(solidem, number):
+    text = ROD.replace("INTEGRATOR", 'implicit"\ntolerance = "1 mK').replace("[20, 2, 2]",
+                                                                          "[60, 60, 30]")
+    text = text.replace('"10 s"', '"10000 s"\ntime_step = "10000 s"').replace("frames = 3",
+                                                                             "frames = 0")
+    process = solidem.start("run", solidem.scene("rod.toml", text), "-o", "out")
+    out = solidem.folder / "out"
+    deadline = time.monotonic() + 100
+    while not (out / "history.csv").exists():
+        assert time.monotonic() < deadline and process.poll() is None
+        time.sleep(0.05)
+    time.sleep(1)
+    process.send_signal(number)
+    output, _ = process.communicate(timeout=10)  # the step itself takes much longer
+    assert process.returncode == 130
+    assert "--resume" in output
+    assert (out / "checkpoint.h5").exists()
+    assert json.loads((out / "summary.json").read_text())["completed"] is False
