@@ -268,8 +268,8 @@ double ElementContacts::stiffened() const {
 void ElementContacts::state(Archive& archive) {
   archive(bonded_anew_, broken_then_, skin_, candidates_, nearer_, surface_elements_, searched_at_,
           bonded_, subtracted_, largest_stiffness_);
-  if (archive.is_reading() && !searched_at_.empty() && searched_at_.size() != model_.elements())
-    throw std::out_of_range("places of " + std::to_string(searched_at_.size()) + " elements");
+  if (archive.is_reading() && searched_at_.size() != surface_elements_.size())
+    throw std::out_of_range("positions of " + std::to_string(searched_at_.size()) + " elements");
 }
 
 namespace {
