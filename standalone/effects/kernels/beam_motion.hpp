@@ -218,10 +218,11 @@ inline BondStrain<Pack> strain_of(const LimitedBonds& at) {
 }
 
 /// Loads of bonds of which some may have reached a limit: they flow, which is kept, and those that
-/// break are reported. Apart from the hot loop, whose registers it would take.
+/// break are reported. Apart from the hot loop, whose registers it would take; all that it calls is
+/// part of it, for compilers take what is seldom called for cold and copy packs through memory.
 template <class Law, class Kind>
-[[gnu::noinline]] SlotLoad limited_load(const BeamMotion& m, std::size_t element,
-                                        const SlotPlace& slot) {
+[[gnu::noinline, gnu::flatten]] SlotLoad limited_load(const BeamMotion& m, std::size_t element,
+                                                      const SlotPlace& slot) {
   const Kind kind{m.bond_rigidity != nullptr};
   LimitedBonds at = limited_bonds(kind, m, m.pose, element, slot);
   BondPack& bond = at.bond;
