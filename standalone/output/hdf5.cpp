@@ -162,7 +162,9 @@ void Hdf5Group::fail_writing(const std::string& name) const {
 bool Hdf5Group::has(const std::string& name) const {
   // H5Lexists is an error, not a no, when a parent is missing: ask for every level.
   for (std::size_t slash = name.find('/', 1);; slash = name.find('/', slash + 1)) {
-    if (H5Lexists(id(), name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+    const htri_t is_there = H5Lexists(id(), name.substr(0, slash).c_str(), H5P_DEFAULT);
+    if (is_there < 0) fail_reading(name, "cannot be looked for (" + reason() + ")");
+    if (is_there == 0) return false;
     if (slash == std::string::npos) return true;
   }
 }
@@ -177,25 +179,27 @@ void Hdf5Group::insist_there_is(const std::string& name) const {
 
 std::vector<std::string> Hdf5Group::names() const {
   std::vector<std::string> found;
-  H5Literate(
+  const herr_t done = H5Literate(
       id(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
       [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
         static_cast<std::vector<std::string>*>(data)->emplace_back(name);
         return 0;
       },
       &found);
+  if (done < 0) fail_reading("", "cannot be listed (" + reason() + ")");
   return found;
 }
 
 std::vector<std::string> Hdf5Group::attribute_names() const {
   std::vector<std::string> found;
-  H5Aiterate2(
+  const herr_t done = H5Aiterate2(
       id(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
       [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {
         static_cast<std::vector<std::string>*>(data)->emplace_back(name);
         return 0;
       },
       &found);
+  if (done < 0) fail_reading("", "cannot be listed (" + reason() + ")");
   return found;
 }
 

@@ -155,7 +155,7 @@ COMMANDS = (
     Command("specimen .data", ("specimen", "scene.toml", "-o", "body.data"), "body.data"),
     Command("prepare", ("prepare", "scene.toml", "-o", "body.h5"), "body.h5"),
     Command("convert .csv", ("convert", "given.h5", "body.csv"), "body.csv", give_specimen),
-    Command("solve", ("solve", "solve.toml", "-o", "out", "-q"), "out"),
+    Command("solve", ("solve", "solve.toml", "-o", "out", "-q"), "out", whole=False),
 )
 
 #: The bar at rest: its end is held where it is.
