@@ -32,20 +32,10 @@ Names united(Names names, const Names& more) {
   return names;
 }
 
-const Names flowing_motion = {"pose",
-                              "velocity",
-                              "angular_velocity",
-                              "inverse_mass",
-                              "inverse_inertia",
-                              "rest_length",
-                              "section_normal",
-                              "far_section_normal",
-                              "plastic_twist",
-                              "plastic_extension",
-                              "plastic_strain",
-                              "limit_strain",
-                              "plastic_work",
-                              "last_pose"};
+const Names flowing_motion = {
+    "pose",           "velocity",       "angular_velocity",   "inverse_mass",  "inverse_inertia",
+    "rest_length",    "section_normal", "far_section_normal", "plastic_twist", "plastic_extension",
+    "plastic_strain", "limit_strain",   "plastic_work",       "last_pose"};
 const Names pulled = {"beams", "grip left", "grip right"};
 const Names torn = united(pulled, {"rupture"});
 
