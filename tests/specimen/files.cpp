@@ -207,8 +207,7 @@ TEST_F(SpecimenFile, AFlippedBitIsRefusedOrHarmless) {
 }
 
 TEST_F(SpecimenFile, FilesWithoutSealAreRead) {
-  {
-    const Hdf5File file = Hdf5File::create(path("old.h5"));
+  replace_hdf5_file(path("old.h5"), [](const Hdf5File& file) {
     file.set_attribute("format", "solidem specimen");
     file.set_attribute("version", 1);
     const std::vector<float> position{0.1F, 0, 0, 0.3F, 0, 0}, radius{0.1F, 0.1F};
@@ -222,7 +221,7 @@ TEST_F(SpecimenFile, FilesWithoutSealAreRead) {
     domain.set_attribute("volume", 0.016);
     domain.set_attribute("axis", -1);
     domain.set_attribute("radius", 0.0);
-  }
+  });
   const Specimen read = read_specimen(path("old.h5"));
   EXPECT_EQ(read.size(), 2u);
   EXPECT_GT(read.contact_margin, 1e-8);  // single precision
