@@ -64,13 +64,14 @@ TEST(Checkpoints, with_numbers_that_mean_nothing_are_refused_and_none_crashes) {
     spoil(wrong.at(name));
     return refusal(setup, specimen, wrong);
   };
-  // fracture_energy, first_time, no broken bonds, no removed elements; then all neighbours.
+  // fracture_energy, no last acts, first_time, no broken bonds, no removed elements; then all
+  // neighbours.
   const std::string rupture = "effect.rupture";
   ASSERT_EQ(saved.count(rupture), 1u);
-  const std::size_t first_neighbour = 4;
+  const std::size_t broken = 3, first_neighbour = 5;
   for (const double wrong : {-1.0, 1e6, 0.5, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_NE(spoilt(rupture, [&](auto& values) { values[first_neighbour] = wrong; }), "") << wrong;
-    EXPECT_NE(spoilt(rupture, [&](auto& values) { values[2] = wrong; }), "") << wrong;
+    EXPECT_NE(spoilt(rupture, [&](auto& values) { values[broken] = wrong; }), "") << wrong;
   }
   EXPECT_NE(spoilt(rupture, [&](auto& values) { values[first_neighbour] = 0; }), "")
       << "a bond of one side only";

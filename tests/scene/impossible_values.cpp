@@ -236,7 +236,7 @@ const BadScene impossible[] = {
      "observe_every = 0",
      "",
      {"observe_every = 0", "at least 1"}},
-    {"frames", bar, "frames = 20", "frames = -1", "", {"[output] frames = -1", "at least 0"}},
+    {"frames", bar, "frames = 20", "frames = -1", "", {"[output] frames = -1", "from 0 to"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Value, ImpossibleValues, testing::ValuesIn(impossible), row_name);
