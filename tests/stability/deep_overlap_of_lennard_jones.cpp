@@ -36,16 +36,12 @@ double worst_balance(const Specimen& body, double ratio, double time) {
 TEST(DeepOverlapOfLennardJones, of_two_elements_keeps_energy_to_second_order) {
   for (const double overlap : {0.2, 0.3, 0.4, 0.6, 0.9, 0.999}) {
     const Specimen two = row_of(2, 2 * (1 - overlap));
-    double last = 0;
-    for (const double ratio : {0.1, 0.05, 0.025}) {
-      const double error = worst_balance(two, ratio, 5e-7);
-      EXPECT_LT(error, 0.1) << overlap;
-      if (last > 0) {
-        EXPECT_GT(std::log2(last / error), 1.8) << overlap;
-      }
-      last = error;
-    }
-    std::printf("  overlap %.3f: balance within %.1e\n", overlap, last);
+    // The law has a kink where it goes on along its tangent; where in a step the path crosses it
+    // scatters the error, so the order is that over a step eight times finer.
+    const double coarse = worst_balance(two, 0.2, 5e-7), fine = worst_balance(two, 0.025, 5e-7);
+    EXPECT_LT(coarse, 0.1) << overlap;
+    EXPECT_GT(std::log2(coarse / fine) / 3, 1.9) << overlap;
+    std::printf("  overlap %.3f: balance within %.1e and %.1e\n", overlap, coarse, fine);
   }
 }
 
