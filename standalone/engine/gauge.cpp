@@ -2,10 +2,10 @@
 #include "engine/gauge.hpp"
 
 #include <algorithm>
-#include <Eigen/QR>
 #include <string>
 
 #include "effects/gauge_check.hpp"
+#include "model/displacement_gradient.hpp"
 #include "model/error.hpp"
 
 namespace solidem {
@@ -24,26 +24,7 @@ GaugeSection::GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& 
   if (elements_.size() < 10)
     throw InputError("[gauge] holds " + std::to_string(elements_.size()) +
                      " elements; widen lower … upper until it holds 10 or more");
-  fit_places(model.specimen());
-}
-
-void GaugeSection::fit_places(const Specimen& specimen) {
-  const auto count = static_cast<Eigen::Index>(elements_.size());
-  Eigen::MatrixXd place(count, 3);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Vector& p =
-        specimen.position[static_cast<std::size_t>(elements_[static_cast<std::size_t>(k)])];
-    place.row(k) = Eigen::RowVector3d(p.x, p.y, p.z);
-  }
-  const Eigen::RowVector3d mean = place.colwise().mean();
-  place.rowwise() -= mean;
-  // The minimal solution also where the elements lie in a plane or on a line.
-  const Eigen::Matrix3d square = place.transpose() * place;
-  const Eigen::MatrixXd weights =
-      square.completeOrthogonalDecomposition().solve(Eigen::MatrixXd(place.transpose()));
-  weight_.clear();
-  for (Eigen::Index k = 0; k < count; ++k)
-    weight_.push_back({weights(0, k), weights(1, k), weights(2, k)});
+  weight_ = gradient_weights(model.specimen(), elements_);
 }
 
 Vector GaugeSection::strains(const Model& model) const {

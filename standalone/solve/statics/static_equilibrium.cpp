@@ -7,6 +7,7 @@
 
 #include "effects/beam_properties.hpp"
 #include "effects/gauge_check.hpp"
+#include "model/displacement_gradient.hpp"
 #include "model/error.hpp"
 #include "solve/statics/bonded_body.hpp"
 #include "solve/statics/stiffness_solver.hpp"
@@ -114,24 +115,14 @@ GaugeMeasure measure_gauge(const BeamNetwork& network, const Equilibrium& equili
   if (elements.size() < 10)
     throw InputError("[gauge] holds " + std::to_string(elements.size()) +
                      " elements; widen lower … upper until it holds 10 or more");
-  // Slope of the least-squares line through the displacements against the places at rest.
+  const std::vector<Vector> weights = gradient_weights(specimen, elements);
   const auto strain = [&](int axis) {
-    const auto shift = [&](std::int32_t e) {
-      return component(equilibrium.displacement[static_cast<std::size_t>(e)], axis);
-    };
-    double mean_place = 0, mean_shift = 0, covariance = 0, variance = 0;
-    for (const std::int32_t e : elements) {
-      mean_place += place(e, axis);
-      mean_shift += shift(e);
+    double sum = 0;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+      const auto e = static_cast<std::size_t>(elements[k]);
+      sum += component(weights[k], axis) * component(equilibrium.displacement[e], axis);
     }
-    mean_place /= static_cast<double>(elements.size());
-    mean_shift /= static_cast<double>(elements.size());
-    for (const std::int32_t e : elements) {
-      const double arm = place(e, axis) - mean_place;
-      covariance += arm * (shift(e) - mean_shift);
-      variance += arm * arm;
-    }
-    return covariance / variance;
+    return sum;
   };
   const double stress =
       tension / (gauge.upper - gauge.lower) / specimen.domain.cross_section(gauge.axis);
