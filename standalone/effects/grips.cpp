@@ -111,7 +111,9 @@ void Grip::advance(Model& model, const Step& step) {
     const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
     if (imposed(axis)) {
       const double place = imposed_displacement(axis, after);
-      const double moved = place - imposed_displacement(axis, step.time);
+      // At the start elements are at rest, wherever the displacement begins.
+      const double before = step.time > 0 ? imposed_displacement(axis, step.time) : 0;
+      const double moved = place - before;
       double bond_force = 0;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
         if (!is_present(model, elements_[k])) continue;

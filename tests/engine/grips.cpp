@@ -44,6 +44,24 @@ TEST(Grips, work_is_the_energy_that_the_bar_gains) {
   EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.2);
 }
 
+TEST(Grips, work_of_a_jump_at_the_start_is_the_energy_that_the_bar_gains) {
+  auto setup = elastic_setup();
+  setup.run.time_step_ratio = 0.2;
+  const AxisControl jump{AxisControl::Kind::displacement, TimeFunction::constant(1e-7)};
+  setup.all<GripParameters>() = {grip("left", face(0, false), {held(), held(), held()}),
+                                 grip("right", face(0, true), {jump, held(), held()})};
+  Simulation simulation(setup, jittered("bcc", {8, 3, 3}));
+  simulation.advance(1);
+  const double work = value_of(simulation.observe(), "external_work");
+  EXPECT_GT(work, 0);
+  for (int n = 0; n < 40; ++n) {
+    simulation.advance(7);
+    const HistoryRow row = simulation.observe();
+    EXPECT_NEAR(value_of(row, "energy_balance"), 0, 1e-2 * work);
+    EXPECT_NEAR(value_of(row, "external_work"), work, 1e-12 * work);  // it stands still since
+  }
+}
+
 TEST(Grips, work_of_a_force_is_the_energy_that_the_bar_gains) {
   std::vector<double> error;
   for (const double ratio : {0.2, 0.1}) {
