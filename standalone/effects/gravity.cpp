@@ -25,25 +25,26 @@ class Gravity : public Effect {
   void advance(Model& model, const Step& step) override {
     for (std::size_t i = 0; i < mass_.size(); ++i)
       push(model, step, static_cast<std::int32_t>(i), mass_[i] * acceleration_);
-    work_ = work_on(model);
+    work_ = work_on(model, model.next_positions());
   }
 
   void observe(const Model& model, Observation& observation) const override {
     for (std::size_t i = 0; i < mass_.size(); ++i)
       observe_push(model, observation, static_cast<std::int32_t>(i), mass_[i] * acceleration_);
-    observation.energies.add(EnergyLedger::Kind::input, "gravity_work", work_on(model));
+    observation.energies.add(EnergyLedger::Kind::input, "gravity_work",
+                             work_on(model, model.positions()));
   }
 
   double work() const override { return work_; }
   void state(Archive& archive) override { archive(work_); }
   void summarise(const Model& model, Summary& summary) const override {
-    summary["gravity_work"] = work_on(model);
+    summary["gravity_work"] = work_on(model, model.positions());
   }
 
  private:
   /// Since the start, J: it depends on where elements are and not on how they came there.
-  double work_on(const Model& model) const {
-    const auto positions = model.positions();
+  template <class Positions>
+  double work_on(const Model& model, const Positions& positions) const {
     const std::vector<Vector>& start = model.specimen().position;
     double sum = 0;
     for (std::size_t i = 0; i < mass_.size(); ++i) {
@@ -55,7 +56,7 @@ class Gravity : public Effect {
 
   Vector acceleration_;
   std::vector<double> mass_;  ///< of each element, kg
-  double work_ = 0;           ///< up to the step before, J
+  double work_ = 0;           ///< up to the end of the step, J
 };
 
 std::vector<Key> gravity_keys(GravityParameters& p, Reading& /*reading*/) {

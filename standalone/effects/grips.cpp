@@ -102,6 +102,7 @@ void Grip::advance(Model& model, const Step& step) {
   if (applies_force()) {
     work_ += force_work(model, step.time);
     remember(model, step.time);
+    work_ahead_ = 0;
   }
   const double after = step.time + step.time_step;
   double* carried = model.has(columns::velocity_for_neighbours)
@@ -133,7 +134,9 @@ void Grip::advance(Model& model, const Step& step) {
       const double gain = force / total_mass * step.kick;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
         if (!is_present(model, elements_[k])) continue;
-        kick(model, step, static_cast<std::size_t>(elements_[k]), axis, gain);
+        const auto i = static_cast<std::size_t>(elements_[k]);
+        kick(model, step, i, axis, gain);
+        work_ahead_ += force * mass_[k] / total_mass * (next[i][axis] - positions[i][axis]);
       }
     }
   }
@@ -207,7 +210,7 @@ void Grip::correct_motion(const Model& model, const Vector& grip_force,
 }
 
 void Grip::state(Archive& archive) {
-  archive(work_, last_displacement_, last_position_, last_time_);
+  archive(work_, last_displacement_, last_position_, last_time_, work_ahead_);
 }
 
 namespace {

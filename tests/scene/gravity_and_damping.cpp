@@ -84,6 +84,19 @@ TEST(Gravity, OfAHeldBodyIsBorneByItsGrip) {
   EXPECT_NEAR(of(simulation, "grip.left.force_x"), 0, 1e-6 * weight);
 }
 
+TEST(Gravity, AndForcesThatSetABodyInMotionPayForItFromTheFirstStep) {
+  const std::string pushed =
+      "[[grips]]\nname = \"right\"\nregion = { axis = \"x\", side = \"high\", layers = 1 }\n"
+      "force = [\"5 N\", \"1 N\", \"free\"]\nrotation = \"free\"\n";
+  for (const std::string& load : {gravity, pushed}) {
+    Simulation simulation = simulate(crystal + load);
+    for (int n = 0; n < 20; ++n) {
+      simulation.advance(1);
+      EXPECT_NO_THROW(simulation.check()) << load << n;
+    }
+  }
+}
+
 /// Error of the depth and of the balance of energy of a body that falls with a step, against the
 /// exact motion; relative.
 struct FallError {
