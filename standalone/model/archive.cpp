@@ -7,9 +7,10 @@
 
 namespace solidem {
 
-void Archive::insist_on_integer(double value) {
+void Archive::insist_on_integer(double value, double lowest, double highest) {
   constexpr double largest = 9007199254740992;  // up to which doubles count one by one
-  if (!(std::abs(value) <= largest) || value != std::floor(value))
+  if (!(std::abs(value) <= largest) || value != std::floor(value) || value < lowest ||
+      value > highest)
     throw std::out_of_range(std::to_string(value) + " where an integer is expected");
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -49,7 +50,10 @@ class Archive {
   void number(Number& value) {
     auto as_double = static_cast<double>(value);
     visit(as_double);
-    if (reading_) insist_on_integer(as_double);
+    using Limits = std::numeric_limits<Number>;
+    if (reading_)
+      insist_on_integer(as_double, static_cast<double>(Limits::lowest()),
+                        static_cast<double>(Limits::max()));
     value = static_cast<Number>(as_double);
   }
   void visit(bool& value) { number(value); }
@@ -96,7 +100,7 @@ class Archive {
     value.state(*this);
   }
 
-  static void insist_on_integer(double value);
+  static void insist_on_integer(double value, double lowest, double highest);
   void insist_on_element(std::int32_t value) const;
   /// A list cannot have more entries than there are numbers left.
   std::size_t checked(std::size_t size) const;
