@@ -110,7 +110,7 @@ class Damping : public Effect {
     for (const Grip* grip : grips)
       for (const std::int32_t element : grip->elements())
         for (int axis = 0; axis < 3; ++axis) {
-          const auto at = static_cast<std::size_t>(3 * element + axis);
+          const auto at = 3 * static_cast<std::size_t>(element) + static_cast<std::size_t>(axis);
           imposed_[0][at] = grip->imposed(axis) ? 1 : 0;
           if (motions_.size() > 1) imposed_[1][at] = grip->holds_rotation() ? 1 : 0;
         }
