@@ -235,7 +235,7 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
   if (beam.radius > 0)
     beam.shear_ratio =
         2 * beam.rigidity.torsion / (beam.rigidity.axial * beam.radius * beam.radius);
-  if (m.yield == nullptr)
+  if (m.yield == nullptr || m.last_pose == nullptr)  // who flows has both
     return {i, j, posed.chord, beam,
             elastic_response(beam, now.history, now.pose, now.deformation)};
   const PosedBond last = bond_in(m.last_pose, kind, m, slot, i, j);

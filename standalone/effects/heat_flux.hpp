@@ -15,7 +15,7 @@ namespace solidem {
 /// shape or under a Gaussian spot, which may move.
 class HeatFlux : public HeatLoad {
  public:
-  HeatFlux(const HeatFluxParameters& parameters, std::vector<WallFace> faces)
+  HeatFlux(const HeatFluxParameters& parameters, const std::vector<WallFace>& faces)
       : HeatLoad("heat_flux." + parameters.name), parameters_(parameters) {
     for (const WallFace& face : faces) faces_.push_back({face.element, face.area});
   }
