@@ -125,7 +125,7 @@ std::unique_ptr<Effect> make_flux(const HeatFluxParameters& flux, Assembly& asse
   std::vector<WallFace> faces = faces_of(assembly, "heat_fluxes", flux.name, flux.wall);
   if (flux.shape || flux.spot_radius)
     return std::make_unique<HeatFlux>(flux, spread_of(flux, assembly));
-  return std::make_unique<HeatFlux>(flux, std::move(faces));
+  return std::make_unique<HeatFlux>(flux, faces);
 }
 
 void plan_fluxes(const Setup& setup, Plan& plan) {
