@@ -21,7 +21,8 @@
   kind(heat_sources) \
   kind(heat_fluxes) \
   kind(convections) \
-  kind(temperatures)
+  kind(temperatures) \
+  kind(mass_scaling)
 // clang-format on
 
 namespace solidem {

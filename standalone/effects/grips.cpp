@@ -21,13 +21,12 @@ bool is_present(const Model& model, std::int32_t element) {
 
 }  // namespace
 
-Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
-           const std::vector<double>& mass, Model& model)
+Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements, Model& model)
     : parameters_(parameters), elements_(std::move(elements)) {
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
     rest_.push_back(model.specimen().position[i]);
-    mass_.push_back(mass[i]);
+    mass_.push_back(1 / model.data(columns::inverse_mass)[i]);
     double* velocity = model.data(columns::velocity);
     for (int axis = 0; axis < 3; ++axis)
       if (imposed(axis)) velocity[Model::at(columns::velocity, i, axis)] = 0;
@@ -260,7 +259,7 @@ std::unique_ptr<Effect> make_grip(const GripParameters& grip, Assembly& assembly
   assembly.claim("[[grips]]", grip.name, elements);
   if (std::any_of(grip.axis.begin(), grip.axis.end(), is_controlled))
     assembly.model.note_driven(elements);
-  return std::make_unique<Grip>(grip, std::move(elements), assembly.mass, assembly.model);
+  return std::make_unique<Grip>(grip, std::move(elements), assembly.model);
 }
 
 void plan_grips(const Setup& setup, Plan& plan) {

@@ -23,9 +23,7 @@ namespace solidem {
 /// were removed are let go.
 class Grip : public Effect {
  public:
-  /// `mass` per element of the specimen, kg.
-  Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
-       const std::vector<double>& mass, Model& model);
+  Grip(const GripParameters& parameters, std::vector<std::int32_t> elements, Model& model);
 
   void advance(Model& model, const Step& step) override;
   /// Velocities of the gripped elements, work, force and displacement of the grip.
@@ -58,7 +56,7 @@ class Grip : public Effect {
   GripParameters parameters_;
   std::vector<std::int32_t> elements_;
   std::vector<Vector> rest_;           ///< where the elements stood at the start
-  std::vector<double> mass_;           ///< of the elements
+  std::vector<double> mass_;           ///< of the elements, that resists their acceleration, kg
   double work_ = 0;                    ///< done up to the last step, but for its second half
   std::vector<Vector> last_position_;  ///< of the elements where it applies a force, a step before
   double last_time_ = 0;               ///< s, of these
