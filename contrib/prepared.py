@@ -413,6 +413,10 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
     if explained.get("initial_velocities"):
         unsupported.append("initial velocities are not understood")
     unsupported += _unknown_sections(explained.get("effects") or [])
+    if (laws.get("damage") or {}).get("free_faces") == "left_out":
+        unsupported.append("free faces that are no cracks are not understood")
+    if laws.get("damage") and laws.get("beams"):
+        unsupported.append("cracks among bonded elements are not understood")
     if laws.get("damping", {}).get("viscous") is not None:
         unsupported.append("viscous damping is not understood")
     for entry in explained.get("powers") or []:

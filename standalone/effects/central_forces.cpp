@@ -306,9 +306,10 @@ void CentralForces::accelerate(Model& model) const {
   });
 }
 
-void CentralForces::find_crack_faces(double threshold) {
+void CentralForces::find_crack_faces(double threshold, const std::vector<double>& at_start) {
   CentralMotion common = motion(model_);
   common.crack_threshold = threshold;
+  common.neighbours_at_start = at_start.empty() ? nullptr : at_start.data();
   for_blocks(model_.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
     kernels().find_crack_faces(common, first, last);
   });

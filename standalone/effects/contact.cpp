@@ -321,7 +321,7 @@ void plan_contact(const Setup& setup, Plan& plan) {
 
 EffectKind contact_kind() {
   EffectKind kind = single_kind<ContactParameters>("contact", contact_keys, finish_contact);
-  kind.beside = "rupture";
+  kind.beside = {"rupture"};
   kind.problem_alone = "no bond ever breaks";
   kind.plan = plan_contact;
   kind.example =

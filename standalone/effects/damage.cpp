@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
+#include "effects/cracked_bonds.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
 
@@ -12,8 +13,18 @@ namespace solidem {
 
 Damage::Damage(const DamageParameters& parameters, CentralForces& forces, Model& model)
     : parameters_(parameters), forces_(forces), model_(model) {
-  if (parameters_.minimal_neighbours > 0) had_ = forces_.neighbours_within_range();
-  if (parameters_.crack_threshold) forces_.find_crack_faces(*parameters_.crack_threshold);
+  if (parameters_.minimal_neighbours > 0 || parameters_.leaves_out_free_faces)
+    had_ = forces_.neighbours_within_range();
+  if (parameters_.leaves_out_free_faces) {
+    free_faces_.assign(had_.begin(), had_.end());
+    free_faces_.resize(model.slots().padded_elements(), 0);
+  }
+  find_crack_faces();
+}
+
+void Damage::find_crack_faces() {
+  if (parameters_.crack_threshold)
+    forces_.find_crack_faces(*parameters_.crack_threshold, free_faces_);
 }
 
 void Damage::advance(Model& /*model*/, const Step& /*step*/) {
@@ -24,7 +35,7 @@ void Damage::advance(Model& /*model*/, const Step& /*step*/) {
   if (!looks && !removes) return;
   forces_.keep_neighbours();
   if (removes) remove_isolated();
-  if (looks) forces_.find_crack_faces(*parameters_.crack_threshold);
+  if (looks) find_crack_faces();
 }
 
 void Damage::remove_isolated() {
@@ -98,10 +109,18 @@ std::vector<Key> damage_keys(DamageParameters& p, Reading& /*reading*/) {
           .means("elements that keep fewer within range, and fewer than at the start, are taken "
                  "out: they stand still and act on nobody")
           .without("none is taken out"),
-      may_have("removal_every", integer(p.removal_every, 1)).means("steps between two such looks")};
+      may_have("removal_every", integer(p.removal_every, 1)).means("steps between two such looks"),
+      may_have("free_faces",
+               choice<bool>(p.leaves_out_free_faces, {{"cracks", false}, {"left_out", true}}))
+          .means("`\"left_out\"`: only elements that have fewer neighbours than at the start stand "
+                 "on faces of cracks"),
+      may_have("range", number(p.range, Range{1, 10}))
+          .means("with beams: α, elements nearer than α (R_i + R_j) are neighbours; central forces "
+                 "have their own")
+          .without("1.2")};
 }
 
-void finish_damage(const Section& section, DamageParameters& /*p*/, Reading& /*reading*/) {
+void finish_damage(const Section& section, DamageParameters& /*p*/, Reading& reading) {
   if (!section.has("crack_threshold") && !section.has("minimal_neighbours"))
     section.refuse("nothing says what is damaged",
                    "crack_threshold or minimal_neighbours, or both");
@@ -109,11 +128,27 @@ void finish_damage(const Section& section, DamageParameters& /*p*/, Reading& /*r
     section.refuse("every", "no crack faces are looked for", "crack_threshold beside it");
   if (section.has("removal_every") && !section.has("minimal_neighbours"))
     section.refuse("removal_every", "no element is removed", "minimal_neighbours beside it");
+  if (section.has("free_faces") && !section.has("crack_threshold"))
+    section.refuse("free_faces", "no crack faces are looked for", "crack_threshold beside it");
+  if (section.has("range") && !reading.setup.get<BeamParameters>())
+    section.refuse("range", "neighbours are those of the central forces",
+                   "no such key; range of [central_forces]");
+}
+
+std::unique_ptr<Effect> make_cracked_bonds(const DamageParameters& damage, Assembly& assembly) {
+  return std::make_unique<CrackedBonds>(damage, assembly.need<Beams>(), assembly.need<Rupture>(),
+                                        assembly.model);
 }
 
 void plan_damage(const Setup& setup, Plan& plan) {
   const auto& damage = setup.get<DamageParameters>();
   if (!damage) return;
+  if (setup.get<RuptureParameters>()) {
+    plan.effects.push_back(
+        {"damage", "[damage]", "", Phase::change_pairs,
+         [damage = *damage](Assembly& assembly) { return make_cracked_bonds(damage, assembly); }});
+    return;
+  }
   plan.effects.push_back({"damage", "[damage]", damage->crack_threshold ? "find_crack_faces" : "",
                           Phase::after_move, [damage = *damage](Assembly& assembly) {
                             return std::make_unique<Damage>(damage, assembly.need<CentralForces>(),
@@ -125,8 +160,8 @@ void plan_damage(const Setup& setup, Plan& plan) {
 
 EffectKind damage_kind() {
   EffectKind kind = single_kind<DamageParameters>("damage", damage_keys, finish_damage);
-  kind.beside = "central_forces";
-  kind.problem_alone = "there are no central forces";
+  kind.beside = {"central_forces", "rupture"};
+  kind.problem_alone = "no pair can part";
   kind.plan = plan_damage;
   kind.example =
       "[damage]\n"

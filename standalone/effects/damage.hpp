@@ -32,12 +32,14 @@ class Damage : public Effect {
   std::size_t removed() const { return removed_.size(); }
 
  private:
+  void find_crack_faces();
   void remove_isolated();
 
   DamageParameters parameters_;
   CentralForces& forces_;
   Model& model_;
   std::vector<int> had_;               ///< neighbours of each element at the start
+  std::vector<double> free_faces_;     ///< the same for each lane, where free faces are left out
   std::vector<std::int32_t> removed_;  ///< sorted
   std::int64_t steps_ = 0;
 };

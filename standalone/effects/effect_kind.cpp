@@ -39,15 +39,19 @@ bool provides(const Setup& setup, Provides what) {
   });
 }
 
+std::string any_section(const std::vector<std::string>& sections) {
+  std::string words = "a section ";
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    words += (k == 0 ? "[" : k + 1 < sections.size() ? ", [" : " or [") + sections[k] + "]";
+  return words;
+}
+
 std::string sections_that_provide(const std::vector<Provides>& any_of) {
-  std::vector<std::string> names;
+  std::vector<std::string> sections;
   for (const EffectKind& kind : effect_kinds())
     if (std::find(any_of.begin(), any_of.end(), kind.provides) != any_of.end())
-      names.push_back("[" + kind.section + "]");
-  std::string words = "a section ";
-  for (std::size_t k = 0; k < names.size(); ++k)
-    words += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
-  return words;
+      sections.push_back(kind.section);
+  return any_section(sections);
 }
 
 }  // namespace solidem

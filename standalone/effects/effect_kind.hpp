@@ -47,8 +47,8 @@ struct EffectKind {
   bool is_list = false;  ///< may stand several times, [[grips]]
   Provides provides = Provides::nothing;
   Provides needs = Provides::nothing;
-  std::string beside;         ///< a section that it needs; empty: none
-  std::string problem_alone;  ///< what is wrong without that
+  std::vector<std::string> beside;  ///< sections of which it needs one; empty: none
+  std::string problem_alone;        ///< what is wrong without
   std::vector<Conflict> conflicts;
 
   /// Reads the section into the setup.
@@ -76,7 +76,9 @@ std::vector<EffectKind>& effect_kinds();
 /// Whether a setup names an effect that provides something.
 bool provides(const Setup& setup, Provides what);
 
-/// "a section [beams] or [central_forces]": what a scene needs for one of these to be provided.
+/// "a section [beams] or [central_forces]": one of these.
+std::string any_section(const std::vector<std::string>& sections);
+/// The same of what a scene needs for one of these to be provided.
 std::string sections_that_provide(const std::vector<Provides>& any_of);
 
 /// Adds the values of keys in their places, in SI units; keys that are no single value are left

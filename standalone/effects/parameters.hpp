@@ -111,12 +111,14 @@ struct CentralForceParameters {
   double bond_tolerance = 0;  ///< t: neighbours at the start are nearer than (1 + t)(R_i + R_j)
 };
 
-/// Micro-cracks between elements under central forces, and elements that have lost their hold.
+/// Micro-cracks between elements, and elements that have lost their hold.
 struct DamageParameters {
   std::optional<double> crack_threshold;  ///< C
   std::int64_t every = 1;                 ///< steps between two looks for crack faces
   int minimal_neighbours = 0;             ///< elements that keep fewer within range are removed
   std::int64_t removal_every = 100;       ///< steps between two such looks
+  bool leaves_out_free_faces = false;     ///< faces of the start are none of cracks
+  std::optional<double> range{};          ///< α, of beams; none: 1.2
 };
 
 /// Two materials that touch imperfectly.

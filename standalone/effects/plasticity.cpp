@@ -42,7 +42,7 @@ void read_plasticity(const Value& value, Reading& reading) {
 EffectKind plasticity_kind() {
   EffectKind kind;
   kind.section = "plasticity";
-  kind.beside = "beams";
+  kind.beside = {"beams"};
   kind.problem_alone = "there are no beams";
   kind.example =
       "[plasticity]\n"

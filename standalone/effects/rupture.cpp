@@ -74,6 +74,11 @@ void Rupture::advance(Model& /*model*/, const Step& step) {
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  break_bonds(pairs, step);
+}
+
+void Rupture::break_bonds(const std::vector<Pair>& pairs, const Step& step) {
+  if (pairs.empty()) return;
   if (std::isnan(first_time_)) first_time_ = step.time;
   const std::size_t before = broken_.size();
   for (const Pair& pair : pairs) break_bond(pair);
@@ -83,6 +88,11 @@ void Rupture::advance(Model& /*model*/, const Step& step) {
     for (const std::int32_t element : {broken_[k].pair.i, broken_[k].pair.j})
       if (!is_removed(element) && model_.slots().coordination(element) < parameters_.minimal_bonds)
         remove(element, step.time_step);
+}
+
+void Rupture::remove_elements(const std::vector<std::int32_t>& elements, const Step& step) {
+  for (const std::int32_t element : elements)
+    if (!is_removed(element)) remove(element, step.time_step);
 }
 
 void Rupture::break_bond(Pair pair) {
@@ -220,7 +230,7 @@ void plan_rupture(const Setup& setup, Plan& plan) {
 EffectKind rupture_kind() {
   EffectKind kind;
   kind.section = "rupture";
-  kind.beside = "beams";
+  kind.beside = {"beams"};
   kind.problem_alone = "there are no beams";
   kind.is_named = [](const Setup& setup) { return setup.get<RuptureParameters>().has_value(); };
   kind.read = read_rupture;

@@ -61,6 +61,11 @@ class Rupture : public Effect {
   /// When the first bond broke, s; NaN before.
   double first_time() const { return first_time_; }
 
+  /// Breaks further bonds in this step; each pair once, sorted.
+  void break_bonds(const std::vector<Pair>& pairs, const Step& step);
+  /// Takes elements out that are not out yet, with the bonds they have left.
+  void remove_elements(const std::vector<std::int32_t>& elements, const Step& step);
+
   /// Enters the energy, J, of a bond or a contact that acts for the last time in this step, with
   /// this load, in the poses that the step began with; of one that begins to act in its place, both
   /// with the other sign.

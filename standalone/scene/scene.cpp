@@ -54,8 +54,9 @@ void check_kind(const Section& root, const EffectKind& kind) {
     if (root.has(conflict.section)) root.refuse(kind.section, conflict.problem, conflict.expected);
   if (kind.needs != Provides::nothing && !names_what_provides(root, kind.needs))
     root.refuse(kind.section, problem_without(kind.needs), sections_that_provide({kind.needs}));
-  if (!kind.beside.empty() && !root.has(kind.beside))
-    root.refuse(kind.section, kind.problem_alone, "a section [" + kind.beside + "]");
+  if (!kind.beside.empty() && std::none_of(kind.beside.begin(), kind.beside.end(),
+                                           [&](const auto& name) { return root.has(name); }))
+    root.refuse(kind.section, kind.problem_alone, any_section(kind.beside));
 }
 
 /// A scene without effects is a recipe for a specimen and no more.

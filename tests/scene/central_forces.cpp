@@ -275,7 +275,7 @@ const BadScene bad[] = {
      "[run]",
      "[damage]\ncrack_threshold = 0.4\n[run]",
      "[damage]",
-     {"there are no central forces", "[central_forces]"}},
+     {"no pair can part", "a section [central_forces] or [rupture]"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Value, BadCentralForces, testing::ValuesIn(bad), row_name);

@@ -175,8 +175,12 @@ inline void find_crack_faces(const CentralMotion& m, std::size_t first, std::siz
         sum += counts * seen.chord;
         neighbours += counts;
       }
-      const PackVector shown = crack_face_barycentre(
-          sum, neighbours, Pack(m.crack_threshold / m.range) * own.component[3]);
+      const Pack bound = Pack(m.crack_threshold / m.range) * own.component[3];
+      const PackVector shown =
+          m.neighbours_at_start == nullptr
+              ? crack_face_barycentre(sum, neighbours, bound)
+              : crack_face_barycentre(sum, neighbours, bound,
+                                      Pack::load(m.neighbours_at_start + element));
       Quad{{shown.x, shown.y, shown.z, neighbours}}.store(m.barycentre + 4 * element);
     }
 }

@@ -89,8 +89,9 @@ struct CentralMotion {
   double* dissipated_energy;
 
   // Where cracks are told.
-  double* barycentre;      ///< null: none
-  double crack_threshold;  ///< C
+  double* barycentre;                 ///< null: none
+  double crack_threshold;             ///< C
+  const double* neighbours_at_start;  ///< null: free faces are crack faces
 
   // Where neighbours change.
   const double* listed_position;  ///< null: they are fixed
