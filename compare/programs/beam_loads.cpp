@@ -12,7 +12,8 @@
 #include <iostream>
 #include <string>
 
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
+#include "laws/linear_hardening.hpp"
 #include "laws/rigid_sphere.hpp"
 
 namespace {
@@ -37,7 +38,7 @@ struct Task {
   solidem::BeamSection<double> section{};
   std::string law, flow;
   double shear_coefficient = 0;
-  solidem::BeamYield<double> yield{};
+  solidem::LinearHardening yield;
 };
 
 bool read(std::istream& in, Task& t) {
@@ -70,8 +71,8 @@ int main(int argc, char** argv) {
   const double length = norm(rest);
   const Vector direction = (1 / length) * rest;
   const solidem::YieldingBeam<double> beam{rigidity(task, length), length, task.section.radius,
-                                           task.section.shear_modulus / task.section.young_modulus,
-                                           task.yield};
+                                           task.section.shear_modulus / task.section.young_modulus};
+  const solidem::YieldCurve<solidem::LinearHardening, double> yield{task.yield};
   solidem::BeamHistory<double> history = solidem::unyielded(direction);
   std::FILE* out = std::fopen(argv[2], "w");
   if (!out) {
@@ -87,10 +88,11 @@ int main(int argc, char** argv) {
       load = solidem::beam_load(beam.rigidity, length,
                                 solidem::beam_pose(chord, direction, at_i, at_j));
     } else {
+      const solidem::FlowRule rule = task.flow == "scaled-offset"
+                                         ? solidem::FlowRule::scaled_offset
+                                         : solidem::FlowRule::radial_return;
       const solidem::BeamResponse<double> response =
-          task.flow == "scaled-offset"
-              ? solidem::scaled_offset_response(beam, history, direction, chord, at_i, at_j)
-              : solidem::radial_return_response(beam, history, chord, at_i, at_j);
+          solidem::flow_response(rule, yield, beam, history, direction, {chord, at_i, at_j});
       load = response.load;
       history = response.history;
     }

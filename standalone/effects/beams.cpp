@@ -43,25 +43,14 @@ struct SlotReader {
   }
 };
 
-/// A bond as its ends stand in a buffer of poses.
-struct PosedBond {
-  BondNow<double> bond;
-  Vector chord;
-  Quaternion<double> turned_i, turned_j;
-};
-
-PosedBond bond_in(const double* poses, BondKind kind, const BeamMotion& m, const SlotReader& slot,
-                  std::int32_t i, std::int32_t j) {
+/// Where the ends of a bond stand in a buffer of poses.
+BeamEnds<double> ends_in(const double* poses, const BeamMotion& m, const SlotReader& slot,
+                         std::int32_t i, std::int32_t j) {
   const double* row_i = poses + std::ptrdiff_t{8} * i;
   const double* row_j = poses + std::ptrdiff_t{8} * j;
-  PosedBond posed{{},
-                  pose_centre(row_j) - pose_centre(row_i),
-                  pose_orientation(row_i),
-                  pose_orientation(row_j)};
-  if (m.image_shift != nullptr) posed.chord += slot.vector(m.image_shift);
-  posed.bond = load_bond(kind, m, slot, posed.chord, posed.turned_i, conjugate(posed.turned_i),
-                         posed.turned_j);
-  return posed;
+  Vector chord = pose_centre(row_j) - pose_centre(row_i);
+  if (m.image_shift != nullptr) chord += slot.vector(m.image_shift);
+  return {chord, pose_orientation(row_i), pose_orientation(row_j)};
 }
 
 }  // namespace
@@ -160,15 +149,19 @@ NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
                    std::nearbyint(d.y / extent.y) * extent.y,
                    std::nearbyint(d.z / extent.z) * extent.z};
   }
+  const Vector normal_i = rotate(conjugate(q_i), direction);
+  const Vector normal_j = rotate(conjugate(q_j), direction);
+  const double twist = 2 * dot((q_j * conjugate(q_i)).v, direction);
+  const bool has_shape = norm(normal_j - normal_i) > 0 || std::fabs(twist) > 0;
   return {length,
           direction,
-          rotate(conjugate(q_i), direction),
-          rotate(conjugate(q_j), direction),
-          2 * dot((q_j * conjugate(q_i)).v, direction),
+          normal_i,
+          normal_j,
+          twist,
           section.radius,
           properties_.rigidity(section, length),
           image_shift,
-          limit_of_new_bonds()};
+          has_shape ? -limit_of_new_bonds() : limit_of_new_bonds()};
 }
 
 double Beams::limit_of_new_bonds() const {
@@ -223,9 +216,8 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
                         int lane) const {
   const SlotReader slot{row, lane};
   const BondKind kind{m.has_rotation, m.bond_rigidity != nullptr, m.watch == Watch::remembering};
-  PosedBond posed = bond_in(m.pose, kind, m, slot, i, j);
-  BondNow<double>& now = posed.bond;
-  const Quaternion<double>&q_i = posed.turned_i, &q_j = posed.turned_j;
+  const auto [chord, q_i, q_j] = ends_in(m.pose, m, slot, i, j);
+  BondNow<double> now = load_bond(kind, m, slot, true, chord, q_i, conjugate(q_i), q_j);
   if (kind.remembers) now.history.strain = slot.number(m.plastic_strain);
 
   YieldingBeam<double> beam{now.rigidity,    now.rest_length,  m.radius, 0,
@@ -236,26 +228,18 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
     beam.shear_ratio =
         2 * beam.rigidity.torsion / (beam.rigidity.axial * beam.radius * beam.radius);
   if (m.yield == nullptr || m.last_pose == nullptr)  // who flows has both
-    return {i, j, posed.chord, beam,
-            elastic_response(beam, now.history, now.pose, now.deformation)};
-  const PosedBond last = bond_in(m.last_pose, kind, m, slot, i, j);
-  now.history.last = beam_modes(last.bond.pose, last.bond.deformation, last.turned_i);
-  BondSinceMade<double> judged{last.bond.pose, last.bond.deformation};
-  if (m.flow_rule == FlowRule::scaled_offset)
-    judged = since_made(kind, m, slot, last.bond, last.turned_i, last.turned_j);
-  now.history.last_strain =
-      equivalent_strain(beam.yield_section, beam, judged.pose, judged.deformation);
+    return {i, j, chord, beam,
+            elastic_response<double>(beam, now.history, {now.pose, now.deformation})};
+  const BeamEnds<double> last = ends_in(m.last_pose, m, slot, i, j);
+  const Quaternion<double> turn = q_i * conjugate(last.orientation_i);
+  const PosedBeam<double> at = posed_beam(kind, m, slot, m.flow_rule, now, q_i, q_i, q_j);
+  const LastPose<double> before = last_pose(kind, m, slot, m.flow_rule, beam, now, q_i, q_i,
+                                            rotate(turn, last.chord), turn * last.orientation_j);
   const auto respond = [&](const auto& law) {
     const YieldCurve<std::decay_t<decltype(law)>, double> curve{law};
-    if (m.flow_rule == FlowRule::radial_return)
-      return radial_return_response(curve, beam, now.history, now.pose, now.deformation, q_i, q_j);
-    if (m.flow_rule == FlowRule::associated)
-      return associated_response(curve, beam, now.history, now.pose, now.deformation, q_i, q_j);
-    const BondSinceMade<double> whole = since_made(kind, m, slot, now, q_i, q_j);
-    return scaled_offset_response(curve, beam, now.history, now.pose, now.deformation, whole.pose,
-                                  whole.deformation, q_i, q_j);
+    return flow_response(m.flow_rule, curve, beam, now.history, at, before);
   };
-  return {i, j, posed.chord, beam, std::visit(respond, *m.yield)};
+  return {i, j, chord, beam, std::visit(respond, *m.yield)};
 }
 
 BeamMotion Beams::columns_of(const Model& model) const {

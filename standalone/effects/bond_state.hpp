@@ -6,7 +6,7 @@
 #ifndef SOLIDEM_EFFECTS_BOND_STATE_HPP
 #define SOLIDEM_EFFECTS_BOND_STATE_HPP
 
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
 
 namespace solidem {
 
@@ -25,11 +25,25 @@ struct BondNow {
   BeamHistory<Real> history;          ///< without the plastic strain and the last deformation
 };
 
+/// What a pose is to the shape that a bond remembers.
+template <class Kind, class Real>
+inline BeamDeformation<Real> deformation_in(Kind kind, const BondNow<Real>& bond,
+                                            const BeamPose<Real>& pose) {
+  BeamDeformation<Real> deformation = kind.has_rotation
+                                          ? beam_deformation(bond.rest_length, pose)
+                                          : spring_deformation(bond.rest_length, pose.chord);
+  if (!kind.remembers) return deformation;
+  deformation.extension = deformation.extension - bond.history.extension;
+  if (kind.has_rotation) deformation.twist = deformation.twist - bond.history.twist;
+  return deformation;
+}
+
 /// Reads the bond in a slot. `Motion`: its columns, see BeamMotion; `Slot`: reads a number or a
-/// vector of a column. `turned`: of the element, as a quaternion or as a rotation; `turned_back`
-/// its conjugate.
+/// vector of a column. `has_shape`: of those that remember, whether one may have a shape of its
+/// own, by flow or since it was made anew; both normals are else those of one direction. `turned`:
+/// of the element, as a quaternion or as a rotation; `turned_back` its conjugate.
 template <class Kind, class Motion, class Slot, class Real, class Turned>
-inline BondNow<Real> load_bond(Kind kind, const Motion& m, const Slot& slot,
+inline BondNow<Real> load_bond(Kind kind, const Motion& m, const Slot& slot, bool has_shape,
                                const Vector3<Real>& chord, const Turned& turned,
                                const Quaternion<Real>& turned_back,
                                const Quaternion<Real>& other_turned) {
@@ -41,50 +55,65 @@ inline BondNow<Real> load_bond(Kind kind, const Motion& m, const Slot& slot,
                      slot.number(m.bond_rigidity, 4, 2), slot.number(m.bond_rigidity, 4, 3)};
   bond.rest_length = slot.number(m.rest_length);
   BeamHistory<Real>& history = bond.history;
-  if (kind.remembers) history.extension = slot.number(m.plastic_extension);
+  if (kind.remembers && has_shape) history.extension = slot.number(m.plastic_extension);
+  bond.pose.chord = chord;
   if (kind.has_rotation) {
-    if (kind.remembers) {
-      history.normal_i = slot.vector(m.section_normal);
+    history.normal_i = history.normal_j =
+        slot.vector(kind.remembers ? m.section_normal : m.rest_direction);
+    if (kind.remembers && has_shape) {
       history.normal_j = slot.vector(m.far_section_normal);
       history.twist = slot.number(m.plastic_twist);
-    } else {
-      history.normal_i = history.normal_j = slot.vector(m.rest_direction);
     }
     bond.pose = {chord, rotate(turned, history.normal_i), rotate(other_turned, history.normal_j),
                  other_turned * turned_back};
-    bond.deformation = beam_deformation(bond.rest_length, bond.pose);
-  } else {
-    bond.pose.chord = chord;
-    bond.deformation = spring_deformation(bond.rest_length, chord);
   }
-  if (kind.remembers) {
-    bond.deformation.extension = bond.deformation.extension - history.extension;
-    if (kind.has_rotation) bond.deformation.twist = bond.deformation.twist - history.twist;
-  }
+  bond.deformation = deformation_in(kind, bond, bond.pose);
   return bond;
 }
 
-/// The pose of a bond and its deformation since it was made.
-template <class Real>
-struct BondSinceMade {
-  BeamPose<Real> pose;
-  BeamDeformation<Real> deformation;
-};
-
+/// Of the shape that the bond was made with.
 template <class Kind, class Motion, class Slot, class Real, class Turned>
-inline BondSinceMade<Real> since_made(Kind kind, const Motion& m, const Slot& slot,
-                                      const BondNow<Real>& bond, const Turned& turned,
-                                      const Quaternion<Real>& other_turned) {
-  BondSinceMade<Real> whole{bond.pose, {}};
+inline BeamState<Real> since_made(Kind kind, const Motion& m, const Slot& slot,
+                                  const BondNow<Real>& bond, BeamPose<Real> pose,
+                                  const Turned& turned, const Quaternion<Real>& other_turned) {
+  if (!kind.has_rotation) return {pose, spring_deformation(bond.rest_length, pose.chord)};
+  const Vector3<Real> rest_direction = slot.vector(m.rest_direction);
+  pose.normal_i = rotate(turned, rest_direction);
+  pose.normal_j = rotate(other_turned, rest_direction);
+  return {pose, beam_deformation(bond.rest_length, pose)};
+}
+
+/// The bond as rules of flow look at it.
+template <class Kind, class Motion, class Slot, class Real, class Turned>
+inline PosedBeam<Real> posed_beam(Kind kind, const Motion& m, const Slot& slot, FlowRule rule,
+                                  const BondNow<Real>& bond, const Turned& rotation,
+                                  const Quaternion<Real>& turned,
+                                  const Quaternion<Real>& other_turned) {
+  PosedBeam<Real> posed{{bond.pose, bond.deformation}, {}, turned, other_turned};
+  if (rule == FlowRule::scaled_offset)
+    posed.whole = since_made(kind, m, slot, bond, bond.pose, rotation, other_turned);
+  return posed;
+}
+
+/// The bond in the last pose. `chord`, `other_turned`: chord and orientation of the neighbour then,
+/// turned with the element to where it stands now.
+template <class Kind, class Motion, class Slot, class Real, class Turned>
+inline LastPose<Real> last_pose(Kind kind, const Motion& m, const Slot& slot, FlowRule rule,
+                                const YieldingBeam<Real>& beam, const BondNow<Real>& bond,
+                                const Turned& rotation, const Quaternion<Real>& turned,
+                                const Vector3<Real>& chord, const Quaternion<Real>& other_turned) {
+  BeamPose<Real> pose = bond.pose;
+  pose.chord = chord;
   if (kind.has_rotation) {
-    const Vector3<Real> rest_direction = slot.vector(m.rest_direction);
-    whole.pose.normal_i = rotate(turned, rest_direction);
-    whole.pose.normal_j = rotate(other_turned, rest_direction);
-    whole.deformation = beam_deformation(bond.rest_length, whole.pose);
-  } else {
-    whole.deformation = spring_deformation(bond.rest_length, bond.pose.chord);
+    pose.normal_j = rotate(other_turned, bond.history.normal_j);
+    pose.relative_turn = other_turned * conjugate(turned);
   }
-  return whole;
+  const BeamState<Real> last{pose, deformation_in(kind, bond, pose)};
+  const BeamModes<Real> modes = detail::world_modes(last);
+  if (rule != FlowRule::scaled_offset)
+    return {modes, equivalent_strain(beam.yield_section, beam, last.pose, last.deformation)};
+  const BeamState<Real> whole = since_made(kind, m, slot, bond, pose, rotation, other_turned);
+  return {modes, equivalent_strain(beam.yield_section, beam, whole.pose, whole.deformation)};
 }
 
 }  // namespace solidem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,8 +50,13 @@ Ends moved(double size) {
           turned({.3 * size, -.2 * size, .25 * size}), turned({-.1 * size, .3 * size, -.2 * size})};
 }
 
+BeamResponse<double> respond(FlowRule rule, const BeamHistory<double>& history, const Ends& ends,
+                             const YieldingBeam<double>& judged = beam()) {
+  return flow_response(rule, yield, judged, history, rest_direction, {ends.chord, ends.i, ends.j});
+}
+
 BeamResponse<double> respond(const BeamHistory<double>& history, const Ends& ends) {
-  return radial_return_response(yield, beam(), history, ends.chord, ends.i, ends.j);
+  return respond(FlowRule::radial_return, history, ends);
 }
 
 /// A bond that has flowed in all modes.
@@ -135,8 +140,7 @@ TEST(BeamPlasticity, radial_return_yields_in_reverse_at_the_stress_it_left) {
 TEST(BeamPlasticity, scaled_offset_yields_in_reverse_only_at_the_opposite_strain) {
   BeamHistory<double> history = unyielded(rest_direction);
   const auto at = [&](double strain) {
-    return scaled_offset_response(yield, beam(), history, rest_direction,
-                                  (l * (1 + strain)) * rest_direction, Turn{}, Turn{});
+    return respond(FlowRule::scaled_offset, history, {(l * (1 + strain)) * rest_direction, {}, {}});
   };
   for (int n = 1; n <= 100; ++n) history = at(1e-4 * n).history;
   const double plastic = history.strain;
@@ -153,8 +157,7 @@ TEST(BeamPlasticity, both_laws_give_the_same_monotonic_curve) {
   for (int n = 1; n <= 100; ++n) {
     const Ends ends{(l * (1 + 1e-4 * n)) * rest_direction, {}, {}};
     const auto a = respond(radial, ends);
-    const auto b =
-        scaled_offset_response(yield, beam(), offset, rest_direction, ends.chord, ends.i, ends.j);
+    const auto b = respond(FlowRule::scaled_offset, offset, ends);
     EXPECT_NEAR(norm(a.load.force - b.load.force), 0, 1e-12 * scale);
     radial = a.history;
     offset = b.history;
@@ -212,7 +215,7 @@ TEST(BeamPlasticity, order_of_the_ends_does_not_matter) {
   for (int n = 1; n <= 50; ++n) {
     const Ends ends = moved(n / 50.0);
     const auto a = respond(forward, ends);
-    const auto b = radial_return_response(yield, beam(), backward, -ends.chord, ends.j, ends.i);
+    const auto b = respond(backward, {-ends.chord, ends.j, ends.i});
     const double force = norm(a.load.force), moment = norm(a.load.moment_i);
     EXPECT_NEAR(norm(a.load.force + b.load.force), 0, 1e-11 * force);
     EXPECT_NEAR(norm(a.load.moment_i - b.load.moment_j), 0, 1e-11 * moment);
@@ -279,16 +282,7 @@ class FlowOfBeams : public testing::TestWithParam<Flow> {
     return b;
   }
   static BeamResponse<double> answer(const BeamHistory<double>& history, const Ends& ends) {
-    switch (GetParam().rule) {
-      case FlowRule::scaled_offset:
-        return scaled_offset_response(yield, judged(), history, rest_direction, ends.chord, ends.i,
-                                      ends.j);
-      case FlowRule::associated:
-        return associated_response(yield, judged(), history, ends.chord, ends.i, ends.j);
-      case FlowRule::radial_return:
-        break;
-    }
-    return radial_return_response(yield, judged(), history, ends.chord, ends.i, ends.j);
+    return respond(GetParam().rule, history, ends, judged());
   }
 };
 
@@ -381,7 +375,7 @@ TEST(AssociatedFlow, is_normal_to_the_surface_of_the_resultants) {
     const Ends ends = strained(2e-3 * x, bent * across + 4e-3 * x, -bent * across - 4e-3 * x);
     const auto before = beam_pose(ends.chord, x, x, ends.i, ends.j);
     const auto elastic = beam_deformation(l, before);
-    const auto now = associated_response(yield, beam(), unyielded(x), ends.chord, ends.i, ends.j);
+    const auto now = respond(FlowRule::associated, unyielded(x), ends);
     const auto pose =
         beam_pose(ends.chord, now.history.normal_i, now.history.normal_j, ends.i, ends.j);
     const auto left = elastic_deformation(l, pose, now.history);
@@ -406,7 +400,7 @@ TEST(AssociatedFlow, differs_from_radial_return_where_a_beam_is_twisted_after_te
   BeamHistory<double> radial = unyielded(rest_direction), associated = radial;
   const auto both_at = [&](const Ends& ends) {
     const auto a = respond(radial, ends);
-    const auto b = associated_response(yield, beam(), associated, ends.chord, ends.i, ends.j);
+    const auto b = respond(FlowRule::associated, associated, ends);
     radial = a.history;
     associated = b.history;
     return std::pair{a, b};

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
 
 namespace solidem {
 namespace {
@@ -158,6 +158,12 @@ YieldingBeam<double> beam() {
   return {euler_bernoulli_rigidity<double>({E, G, r}), l, r, G / E};
 }
 
+/// A beam whose ends do not turn.
+BeamResponse<double> respond(FlowRule rule, const YieldCurve<VoceHardening, double>& curve,
+                             const BeamHistory<double>& history, const Vector3<double>& chord) {
+  return flow_response(rule, curve, beam(), history, direction, {chord, {}, {}});
+}
+
 TEST(VoceHardening, one_beam_follows_the_integrated_curve_by_either_rule) {
   const VoceHardening law = voce();
   const YieldCurve<VoceHardening, double> curve{law};
@@ -165,9 +171,8 @@ TEST(VoceHardening, one_beam_follows_the_integrated_curve_by_either_rule) {
   for (int n = 1; n <= 100; ++n) {
     const double strain = 5e-4 * n;
     const Vector3<double> chord = (l * (1 + strain)) * direction;
-    const auto a = radial_return_response(curve, beam(), radial, chord, Quaternion<double>{}, {});
-    const auto b =
-        scaled_offset_response(curve, beam(), offset, direction, chord, Quaternion<double>{}, {});
+    const auto a = respond(FlowRule::radial_return, curve, radial, chord);
+    const auto b = respond(FlowRule::scaled_offset, curve, offset, chord);
     const double expected = integrated_voce(law, strain);
     EXPECT_NEAR(a.strain, expected, 1e-11) << strain;
     EXPECT_NEAR(b.load.force.x, a.load.force.x, 1e-11 * E * r * r);
@@ -182,8 +187,7 @@ TEST(VoceHardening, scaled_offset_yields_in_reverse_only_at_the_opposite_strain)
   const YieldCurve<VoceHardening, double> curve{law};
   BeamHistory<double> history = unyielded(direction);
   const auto at = [&](double strain) {
-    return scaled_offset_response(curve, beam(), history, direction, (l * (1 + strain)) * direction,
-                                  Quaternion<double>{}, {});
+    return respond(FlowRule::scaled_offset, curve, history, (l * (1 + strain)) * direction);
   };
   for (int n = 1; n <= 100; ++n) history = at(1e-4 * n).history;
   EXPECT_GT(history.strain, 5e-3);
@@ -199,8 +203,8 @@ TEST(VoceHardening, work_of_a_pull_is_energy_and_plastic_work) {
     double work = 0, plastic = 0, energy = 0, before = 0;
     for (int n = 1; n <= steps; ++n) {
       const double strain = 2e-2 * n / steps;
-      const auto response = radial_return_response(
-          curve, beam(), history, (l * (1 + strain)) * direction, Quaternion<double>{}, {});
+      const auto response =
+          respond(FlowRule::radial_return, curve, history, (l * (1 + strain)) * direction);
       const double force = dot(response.load.force, direction);
       work += 0.5 * (before + force) * 2e-2 * l / steps;
       plastic += response.plastic_work;

@@ -13,7 +13,7 @@
 #include <string>
 #include <variant>
 
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
 #include "laws/yield_laws.hpp"
 
 namespace {
@@ -70,18 +70,15 @@ int main(int argc, char** argv) {
     beam.radius = radius, beam.shear_ratio = std::atof(argv[5]) / std::atof(argv[4]);
   const solidem::YieldLaw hardening = yield_law(argv[7], argv + 8);
   solidem::BeamHistory<double> history = solidem::unyielded(rest_direction);
+  solidem::FlowRule rule = solidem::FlowRule::radial_return;
+  for (const auto& named : solidem::flow_rules)
+    if (plasticity == named.name) rule = named.choice;
   double work = 0;
   while (read(pose)) {
     const auto respond = [&](const auto& known) {
       const solidem::YieldCurve<std::decay_t<decltype(known)>, double> yield{known};
-      if (plasticity == "scaled-offset")
-        return solidem::scaled_offset_response(yield, beam, history, rest_direction, pose.chord,
-                                               pose.first, pose.second);
-      if (plasticity == "associated")
-        return solidem::associated_response(yield, beam, history, pose.chord, pose.first,
-                                            pose.second);
-      return solidem::radial_return_response(yield, beam, history, pose.chord, pose.first,
-                                             pose.second);
+      return solidem::flow_response(rule, yield, beam, history, rest_direction,
+                                    {pose.chord, pose.first, pose.second});
     };
     const solidem::BeamResponse<double> response = std::visit(respond, hardening);
     history = response.history;

@@ -4,7 +4,7 @@
 // were none, and nothing is divided by it.
 #include <gtest/gtest.h>
 
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "support/beams.hpp"
 
@@ -18,10 +18,11 @@ TEST(BondWithoutStiffness, has_no_load_and_no_energy) {
   const YieldingBeam<double> beam{none, 2e-4, 3e-5, 0.4};
   const LinearHardening law{2e-3, 0};
   const YieldCurve<LinearHardening, double> yield{law};
-  const auto flowing =
-      radial_return_response(yield, beam, unyielded(direction), {3e-4, 1e-4, 0}, a, b);
-  const auto offset =
-      scaled_offset_response(yield, beam, unyielded(direction), direction, {3e-4, 1e-4, 0}, a, b);
+  const auto respond = [&](FlowRule rule) {
+    return flow_response(rule, yield, beam, unyielded(direction), direction,
+                         {{3e-4, 1e-4, 0}, a, b});
+  };
+  const auto flowing = respond(FlowRule::radial_return), offset = respond(FlowRule::scaled_offset);
   const auto elastic = beam_load<double>(none, 2e-4, beam_pose({3e-4, 1e-4, 0}, direction, a, b));
   for (const BeamLoad<double>& load : {flowing.load, offset.load, elastic}) {
     EXPECT_EQ(norm(load.force), 0);

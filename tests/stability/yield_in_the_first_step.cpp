@@ -4,7 +4,7 @@
 // after it is that of the law, both ends agree, and nothing is created.
 #include <gtest/gtest.h>
 
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
 #include "support/beams.hpp"
 
 namespace solidem {
@@ -42,10 +42,7 @@ TEST_P(YieldInTheFirstStep, is_the_response_of_the_law) {
   const YieldCurve<LinearHardening, double> yield{hardening};
   const Vector x{1, 0, 0}, chord = centre_of(simulation, 1) - centre_of(simulation, 0);
   const auto expected =
-      flow == FlowLaw::radial_return
-          ? radial_return_response(yield, beam, unyielded(x), chord, orientation(0), orientation(1))
-          : scaled_offset_response(yield, beam, unyielded(x), x, chord, orientation(0),
-                                   orientation(1));
+      flow_response(flow, yield, beam, unyielded(x), x, {chord, orientation(0), orientation(1)});
   ASSERT_GT(expected.history.strain, 0.1);
 
   const Model& model = simulation.model();

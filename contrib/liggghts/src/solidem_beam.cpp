@@ -126,19 +126,14 @@ solidem::BeamResponse<double> SolidemBeam::response(const double* memory,
                                                     const YieldingBeam<double>& bond,
                                                     const State& now) const {
   const BeamHistory<double> before = history(memory);
-  if (!flows) return solidem::elastic_response(bond, before, now.pose, now.deformation);
+  if (!flows) return solidem::elastic_response<double>(bond, before, {now.pose, now.deformation});
   return std::visit(
       [&](const auto& known) {
         const solidem::YieldCurve<std::decay_t<decltype(known)>, double> yield{known};
-        if (flow_rule == solidem::FlowRule::radial_return)
-          return solidem::radial_return_response(yield, bond, before, ends.chord,
-                                                 ends.orientation_i, ends.orientation_j);
-        if (flow_rule == solidem::FlowRule::associated)
-          return solidem::associated_response(yield, bond, before, ends.chord, ends.orientation_i,
-                                              ends.orientation_j);
-        return solidem::scaled_offset_response(yield, bond, before,
-                                               solidem_vector(memory + Row::REST_DIRECTION),
-                                               ends.chord, ends.orientation_i, ends.orientation_j);
+        const Vector rest_direction =
+            is_offset() ? solidem_vector(memory + Row::REST_DIRECTION) : before.normal_i;
+        return solidem::flow_response(flow_rule, yield, bond, before, rest_direction,
+                                      {ends.chord, ends.orientation_i, ends.orientation_j});
       },
       hardening);
 }

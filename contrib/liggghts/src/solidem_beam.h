@@ -16,7 +16,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
 #include "laws/bond_limit.hpp"
 
 namespace LAMMPS_NS {

@@ -77,6 +77,14 @@ inline Mask is_bond(const BondPack& bond) {
   return greater(dot(x, x), Pack(0.5));
 }
 
+/// Whether bonds of a pack may have a shape of their own: the sign of their limit tells.
+template <class Kind>
+inline bool has_shape(Kind kind, const BeamMotion& m, const SlotPlace& slot) {
+  if (!kind.remembers) return false;
+  constexpr double least = 1e-300;  // of none nothing can be told
+  return any(greater(Pack(least), Pack::load(m.limit_strain + slot.of(1))));
+}
+
 /// Lanes that may have reached the limit of their bond.
 template <class Kind>
 inline Mask limited(Kind kind, const BeamMotion& m, const SlotPlace& slot, const BondPack& bond) {
@@ -90,85 +98,78 @@ inline Mask limited(Kind kind, const BeamMotion& m, const SlotPlace& slot, const
   return kind.remembers ? reaching : both(reaching, is_bond(bond));
 }
 
-/// What a pack of slots does to its elements.
+/// What slots do to their elements.
 struct SlotLoad {
   PackVector force, moment;
   Pack work;  ///< half of the plastic work of this step
 };
 
+inline SlotLoad operator+(const SlotLoad& a, const SlotLoad& b) {
+  return {a.force + b.force, a.moment + b.moment, a.work + b.work};
+}
+
 /// A law by which no bond flows.
 struct NoFlow {};
 
-/// The ends of a pack of bonds and what their laws need.
+/// The elements of a pack, as their bonds see them.
+struct OwnEnds {
+  PackVector position;
+  Quaternion<Pack> turned, turned_back;
+  Rotation<Pack> rotation;
+  explicit OwnEnds(const Row& row)
+      : position(centre(row)),
+        turned(orientation(row)),
+        turned_back(conjugate(turned)),
+        rotation(turned) {}
+};
+
+/// Their ends in the last pose, and how they have turned since.
+struct OwnLastEnds {
+  PackVector position;
+  Quaternion<Pack> turn;
+  Rotation<Pack> rotation;
+  OwnLastEnds(const Row& row, const Quaternion<Pack>& turned)
+      : position(centre(row)), turn(turned * conjugate(orientation(row))), rotation(turn) {}
+};
+
+inline PackVector chord_to(const BeamMotion& m, const SlotPlace& slot, const PackVector& position,
+                           const Row& other) {
+  PackVector chord = centre(other) - position;
+  if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
+  return chord;
+}
+
+/// A pack of bonds and what their laws need.
 struct LimitedBonds {
   BondPack bond;
   YieldingBeam<Pack> beam;
-  Rotation<Pack> rotation;
-  Quaternion<Pack> turned, other_turned;
+  Quaternion<Pack> other_turned;
 };
 
 template <class Kind>
-inline LimitedBonds limited_bonds(Kind kind, const BeamMotion& m, const double* poses,
-                                  std::size_t element, const SlotPlace& slot) {
-  const Row own = Row::load(poses + 8 * element);
-  const Row other = Row::gather(poses, m.neighbour + slot.of(1));
-  PackVector chord = centre(other) - centre(own);
-  if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
-  const Quaternion<Pack> turned = orientation(own), other_turned = orientation(other);
-  const Rotation<Pack> rotation(turned);
-  const BondPack bond = load_bond(kind, m, slot, chord, rotation, conjugate(turned), other_turned);
+inline LimitedBonds limited_bonds(Kind kind, const BeamMotion& m, const OwnEnds& own,
+                                  const SlotPlace& slot) {
+  const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
+  const Quaternion<Pack> other_turned = orientation(other);
+  BondPack bond = load_bond(kind, m, slot, true, chord_to(m, slot, own.position, other),
+                            own.rotation, own.turned_back, other_turned);
+  if (kind.remembers) bond.history.strain = Pack::load(m.plastic_strain + slot.of(1));
   const auto [radius, shear_ratio] = radius_and_shear_ratio(kind, m, slot, bond);
   return {
       bond,
       {bond.rigidity, bond.rest_length, radius, shear_ratio, m.yield_section, m.rupture_section},
-      rotation,
-      turned,
       other_turned};
 }
 
-/// What bonds do under the scaled offset, which looks at the deformation since they were made.
-template <class Kind, class Law>
-inline BeamResponse<Pack> scaled_offset_of(Kind kind, const YieldCurve<Law, Pack>& yield,
-                                           const BeamMotion& m, const SlotPlace& slot,
-                                           const LimitedBonds& at) {
-  const BondPack& bond = at.bond;
-  const auto whole = since_made(kind, m, slot, bond, at.rotation, at.other_turned);
-  return scaled_offset_response(yield, at.beam, bond.history, bond.pose, bond.deformation,
-                                whole.pose, whole.deformation, at.turned, at.other_turned);
-}
-
-/// What bonds remember of the last pose.
-template <class Kind>
-inline void remember_last(Kind kind, const BeamMotion& m, const SlotPlace& slot,
-                          const LimitedBonds& last, BeamHistory<Pack>& history) {
-  history.last = beam_modes(last.bond.pose, last.bond.deformation, last.turned);
-  const JudgedSection section = last.beam.yield_section;
-  if (m.flow_rule != FlowRule::scaled_offset) {
-    history.last_strain =
-        equivalent_strain(section, last.beam, last.bond.pose, last.bond.deformation);
-    return;
-  }
-  const auto whole = since_made(kind, m, slot, last.bond, last.rotation, last.other_turned);
-  history.last_strain = equivalent_strain(section, last.beam, whole.pose, whole.deformation);
-}
-
-/// What bonds do by the rule that the scene names.
-template <class Kind, class Law>
-inline BeamResponse<Pack> response_of(Kind kind, const YieldCurve<Law, Pack>& yield,
-                                      const BeamMotion& m, const SlotPlace& slot,
-                                      const LimitedBonds& at) {
-  const auto& [bond, beam, rotation, turned, other_turned] = at;
-  switch (m.flow_rule) {
-    case FlowRule::scaled_offset:
-      return scaled_offset_of(kind, yield, m, slot, at);
-    case FlowRule::associated:
-      return associated_response(yield, beam, bond.history, bond.pose, bond.deformation, turned,
-                                 other_turned);
-    case FlowRule::radial_return:
-      break;
-  }
-  return radial_return_response(yield, beam, bond.history, bond.pose, bond.deformation, turned,
-                                other_turned);
+/// Bonds in the last pose.
+template <FlowRule rule, class Kind>
+inline LastPose<Pack> last_of(Kind kind, const BeamMotion& m, const SlotPlace& slot,
+                              const LimitedBonds& at, const OwnEnds& own,
+                              const OwnLastEnds& own_last) {
+  const Row other = Row::gather(m.last_pose, m.neighbour + slot.of(1));
+  const PackVector chord = rotate(own_last.rotation, chord_to(m, slot, own_last.position, other));
+  return last_pose(kind, m, slot, rule, at.beam, at.bond, own.rotation, own.turned, chord,
+                   own_last.turn * orientation(other));
 }
 
 /// Keeps the history of lanes that flow.
@@ -190,7 +191,7 @@ inline void refresh_limit(const Law& law, const BeamMotion& m, const SlotPlace& 
   const Pack limit = smaller_of(strain_before_flow(law, m.flow_rule, plastic_strain),
                                 strain_before_rupture(m.rupture, plastic_strain));
   double* column = m.limit_strain + slot.of(1);
-  select(flowing, limit, Pack::load(column)).store(column);
+  select(flowing, -limit, Pack::load(column)).store(column);
 }
 
 /// Reports the lanes that break.
@@ -211,82 +212,123 @@ inline BondStrain<Pack> select(Mask condition, const BondStrain<Pack>& a,
 }
 
 inline BondStrain<Pack> strain_of(const LimitedBonds& at) {
-  const auto& [bond, beam, rotation, turned, other_turned] = at;
+  const auto& [bond, beam, other_turned] = at;
   return bond_strain(beam, bond.pose, bond.deformation,
                      equivalent_strain(beam.yield_section, beam, bond.pose, bond.deformation),
                      bond.history.strain);
 }
 
-/// Loads of bonds of which some may have reached a limit: they flow, which is kept, and those that
-/// break are reported. Apart from the hot loop, whose registers it would take; all that it calls is
-/// part of it, for compilers take what is seldom called for cold and copy packs through memory.
-template <class Law, class Kind>
-[[gnu::noinline, gnu::flatten]] SlotLoad limited_load(const BeamMotion& m, std::size_t element,
-                                                      const SlotPlace& slot) {
-  const Kind kind{m.bond_rigidity != nullptr};
-  LimitedBonds at = limited_bonds(kind, m, m.pose, element, slot);
-  BondPack& bond = at.bond;
-  if (kind.remembers) bond.history.strain = Pack::load(m.plastic_strain + slot.of(1));
-  const Mask present = is_bond(bond);
-  if constexpr (std::is_same_v<Law, NoFlow>) {
-    const BeamLoad<Pack> load = load_of(kind, bond);
-    if (m.rupture != nullptr) report(m, slot, present, strain_of(at));
-    return {load.force, load.moment_i, {}};
-  } else {
-    const Law& law = *std::get_if<Law>(m.yield);
-    const YieldCurve<Law, Pack> yield{law};
-    const LimitedBonds last = limited_bonds(kind, m, m.last_pose, element, slot);
-    const bool offset = m.flow_rule == FlowRule::scaled_offset;
-    remember_last(kind, m, slot, last, bond.history);
-    const BeamResponse<Pack> response = response_of(kind, yield, m, slot, at);
-    const BeamHistory<Pack>& before = bond.history;
-    const BeamHistory<Pack>& after = response.history;
-    const Mask flowing = both(present, greater(after.strain, before.strain));
-    SlotLoad result{response.load.force, response.load.moment_i, {}};
-    if (offset) {
-      // Lanes that do not flow keep the shape they had, which is not that of the response; an empty
-      // slot may flow and be the only one.
-      const BeamLoad<Pack> kept = load_of(kind, bond);
-      result.force = select(flowing, result.force, kept.force);
-      result.moment = select(flowing, result.moment, kept.moment_i);
-    }
-    if (any(flowing)) {
-      result.work = select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0));
-      keep(kind, m, slot, flowing, before, after);
-      refresh_limit(law, m, slot, flowing, after.strain);
-    }
-    if (m.rupture != nullptr)
-      report(m, slot, present,
-             offset ? select(flowing, response.strains, strain_of(at)) : response.strains);
-    return result;
-  }
+/// Loads of bonds that do not flow; those that break are reported.
+template <class Kind>
+inline SlotLoad unflowing_load(Kind kind, const BeamMotion& m, const SlotPlace& slot,
+                               const LimitedBonds& at) {
+  const BeamLoad<Pack> load = load_of(kind, at.bond);
+  if (m.rupture != nullptr) report(m, slot, is_bond(at.bond), strain_of(at));
+  return {load.force, load.moment_i, {}};
 }
 
-using LimitedLoad = SlotLoad (*)(const BeamMotion&, std::size_t element, const SlotPlace&);
+/// Loads of bonds of which some may flow, which is kept; those that break are reported.
+template <FlowRule rule, class Law, class Kind>
+inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, const SlotPlace& slot,
+                             const LimitedBonds& at, const OwnEnds& own,
+                             const OwnLastEnds& own_last) {
+  const BondPack& bond = at.bond;
+  const BeamHistory<Pack>& before = bond.history;
+  const PosedBeam<Pack> posed =
+      posed_beam(kind, m, slot, rule, bond, own.rotation, own.turned, at.other_turned);
+  const BeamFlow<Pack> flow =
+      beam_flow<rule>(YieldCurve<Law, Pack>{law}, at.beam, before.strain, posed);
+  const Mask present = is_bond(bond), flowing = both(present, greater(flow.strain, before.strain));
+  if (!any(flowing)) return unflowing_load(kind, m, slot, at);
+  const BeamResponse<Pack> response = flowed_response(
+      at.beam, before, posed, flow, last_of<rule>(kind, m, slot, at, own, own_last));
+  SlotLoad result{response.load.force, response.load.moment_i,
+                  select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0))};
+  BondStrain<Pack> strains = response.strains;
+  if (rule == FlowRule::scaled_offset) {
+    // Lanes that do not flow keep the shape they had, which is not that of the response.
+    const BeamLoad<Pack> kept = load_of(kind, bond);
+    result.force = select(flowing, result.force, kept.force);
+    result.moment = select(flowing, result.moment, kept.moment_i);
+    strains = select(flowing, strains, strain_of(at));
+  }
+  keep(kind, m, slot, flowing, before, response.history);
+  refresh_limit(law, m, slot, flowing, flow.strain);
+  if (m.rupture != nullptr) report(m, slot, present, strains);
+  return result;
+}
+
+/// Far enough ahead for a neighbour's line to arrive, near enough to be still there.
+inline constexpr std::size_t rows_ahead = 2;
+
+/// Asks for the lines of the neighbours of a row.
+inline void prefetch(const BeamMotion& m, const double* poses, std::size_t slot) {
+  for (int k = 0; k < width; ++k)
+    __builtin_prefetch(poses + std::ptrdiff_t{8} * m.neighbour[slot + static_cast<std::size_t>(k)]);
+}
+
+/// Rows of slots that were added up.
+struct RowSum {
+  SlotLoad load;
+  std::size_t end;  ///< of the rows
+};
+
+/// Adds the loads of a row of bonds of which some may have reached a limit, and of the rows after
+/// it for which the same holds. Apart from the hot loop, whose registers it would take; all that it
+/// calls is part of it, for compilers take what is seldom called for cold and copy packs through
+/// memory.
+template <class Law, class Kind>
+[[gnu::noinline, gnu::flatten]] RowSum limited_rows(const BeamMotion& m, std::size_t element,
+                                                    SlotPlace slot, std::size_t end_row,
+                                                    const SlotLoad& so_far) {
+  constexpr bool flows = !std::is_same_v<Law, NoFlow>;
+  const Kind kind{m.bond_rigidity != nullptr};
+  const OwnEnds own(Row::load(m.pose + 8 * element));
+  const OwnLastEnds own_last(Row::load((flows ? m.last_pose : m.pose) + 8 * element), own.turned);
+  SlotLoad sum = so_far;
+  for (const std::size_t first = slot.row; slot.row < end_row; ++slot.row) {
+    if (slot.row + rows_ahead < end_row) {
+      prefetch(m, m.pose, slot.of(1) + rows_ahead * lanes);
+      if (flows) prefetch(m, m.last_pose, slot.of(1) + rows_ahead * lanes);
+    }
+    const LimitedBonds at = limited_bonds(kind, m, own, slot);
+    if (slot.row > first && !any(limited(kind, m, slot, at.bond))) break;
+    if constexpr (flows) {
+      const Law& law = *std::get_if<Law>(m.yield);
+      sum = sum + by_rule(m.flow_rule, [&](auto rule) {
+              return flowing_load<decltype(rule)::value>(kind, law, m, slot, at, own, own_last);
+            });
+    } else {
+      sum = sum + unflowing_load(kind, m, slot, at);
+    }
+  }
+  return {sum, slot.row};
+}
+
+using LimitedRows = RowSum (*)(const BeamMotion&, std::size_t element, SlotPlace,
+                               std::size_t end_row, const SlotLoad& so_far);
 
 /// Chosen once, outside the loops: they do not grow with the table of laws.
 template <bool has_rotation>
-LimitedLoad limited_load_by_law(const BeamMotion& m) {
+LimitedRows limited_rows_by_law(const BeamMotion& m) {
   if (m.yield == nullptr)
-    return m.watch == Watch::remembering ? limited_load<NoFlow, LimitedKind<has_rotation, true>>
-                                         : limited_load<NoFlow, LimitedKind<has_rotation, false>>;
+    return m.watch == Watch::remembering ? limited_rows<NoFlow, LimitedKind<has_rotation, true>>
+                                         : limited_rows<NoFlow, LimitedKind<has_rotation, false>>;
   return std::visit(
-      [](const auto& law) -> LimitedLoad {
-        return limited_load<std::decay_t<decltype(law)>, LimitedKind<has_rotation, true>>;
+      [](const auto& law) -> LimitedRows {
+        return limited_rows<std::decay_t<decltype(law)>, LimitedKind<has_rotation, true>>;
       },
       *m.yield);
 }
 
-inline LimitedLoad limited_load_of(const BeamMotion& m) {
-  return m.has_rotation ? limited_load_by_law<true>(m) : limited_load_by_law<false>(m);
+inline LimitedRows limited_rows_of(const BeamMotion& m) {
+  return m.has_rotation ? limited_rows_by_law<true>(m) : limited_rows_by_law<false>(m);
 }
 
 template <bool has_rotation, bool per_bond_rigidity, Watch watch>
-void move_beams(const BeamMotion& m, LimitedLoad limited_load, std::size_t first,
+void move_beams(const BeamMotion& m, LimitedRows limited_rows, std::size_t first,
                 std::size_t last) {
   constexpr CompiledFor<has_rotation, per_bond_rigidity, watch> kind{};
-  // Far enough ahead for a neighbour's line to arrive, near enough to be still there.
-  constexpr std::size_t rows_ahead = 2;
   const std::size_t end_row = m.first_row[last];
   for (std::size_t block = first; block < last; ++block) {
     for (int lane = 0; lane < lanes; lane += width) {
@@ -298,31 +340,30 @@ void move_beams(const BeamMotion& m, LimitedLoad limited_load, std::size_t first
       const Rotation<Pack> rotation(turned);
       PackVector force{}, moment{};
       Pack work{};
-      for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
+      for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1];) {
         const SlotPlace slot{row, static_cast<std::size_t>(lane)};
-        if (row + rows_ahead < end_row)
-          for (int k = 0; k < width; ++k)
-            __builtin_prefetch(
-                m.pose +
-                std::ptrdiff_t{8} *
-                    m.neighbour[slot.of(1) + rows_ahead * lanes + static_cast<std::size_t>(k)]);
+        if (row + rows_ahead < end_row) prefetch(m, m.pose, slot.of(1) + rows_ahead * lanes);
         const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
         PackVector chord = centre(other) - position;
         if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
         const Quaternion<Pack> other_turned = orientation(other);
-        const BondPack bond = load_bond(kind, m, slot, chord, rotation, turned_back, other_turned);
+        const BondPack bond = load_bond(kind, m, slot, has_shape(kind, m, slot), chord, rotation,
+                                        turned_back, other_turned);
         if constexpr (watch != Watch::elastic) {
           if (__builtin_expect(any(limited(kind, m, slot, bond)), 0)) {
-            const SlotLoad load = limited_load(m, element, slot);
-            force += load.force;
-            moment += load.moment;
-            work += load.work;
+            const RowSum sum =
+                limited_rows(m, element, slot, m.first_row[block + 1], {force, moment, work});
+            force = sum.load.force;
+            moment = sum.load.moment;
+            work = sum.load.work;
+            row = sum.end;
             continue;
           }
         }
         const BeamLoad<Pack> load = load_of(kind, bond);
         force += load.force;
         if constexpr (has_rotation) moment += load.moment_i;
+        ++row;
       }
       const std::size_t at = 3 * block * lanes + static_cast<std::size_t>(lane);
       const PackVector velocity = load_vector(m.velocity + at) +
@@ -417,7 +458,7 @@ inline void move_beams_in_single_precision(const BeamMotion& m, std::size_t firs
   }
 }
 
-using MoveBeams = void (*)(const BeamMotion&, LimitedLoad, std::size_t first, std::size_t last);
+using MoveBeams = void (*)(const BeamMotion&, LimitedRows, std::size_t first, std::size_t last);
 
 /// Every loop there is, by rotation, rigidity per bond and what is watched.
 inline constexpr MoveBeams beam_loops[2][2][3] = {
@@ -436,7 +477,7 @@ inline void move_beams_by_kind(const BeamMotion& m, std::size_t first, std::size
   if (m.single_precision) return move_beams_in_single_precision(m, first, last);
   const MoveBeams move = beam_loops[m.has_rotation ? 1 : 0][m.bond_rigidity != nullptr ? 1 : 0]
                                    [static_cast<int>(m.watch)];
-  move(m, limited_load_of(m), first, last);
+  move(m, limited_rows_of(m), first, last);
 }
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET

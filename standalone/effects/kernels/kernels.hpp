@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "laws/beam.hpp"
-#include "laws/beam_plasticity.hpp"
+#include "laws/beam_flow.hpp"
 #include "laws/bond_limit.hpp"
 #include "laws/central_laws.hpp"
 #include "neighbours/neighbourhood.hpp"

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What a beam bond that may flow (beam_plasticity.hpp) does in a pose, by each rule of flow
+// (flow_rule.hpp).
+//
+// Plastic work of a flow by Δq_p is ½ (Q_n + Q')·Δq_p, Q_n the load in the last pose and Q' the one
+// that is left: the mean load, as it works on whatever moves the ends. A bond that did not stand on
+// the yield surface in the last pose reached it at the share s of the way from there,
+// s (ε − ε_n) = ε_y(κ) − ε_n. With q_n, q and q' the elastic deformations in the last pose, before
+// and after the flow, and W(a, b) their mutual energy, half of what the load of a does along b, it
+// is
+//   W((1 − s) q_n + s q + q', q − q').
+#ifndef SOLIDEM_LAWS_BEAM_FLOW_HPP
+#define SOLIDEM_LAWS_BEAM_FLOW_HPP
+
+#include "laws/associated_flow.hpp"
+#include "laws/beam_plasticity.hpp"
+#include "laws/flow_rule.hpp"
+
+namespace solidem {
+
+namespace detail {
+
+/// A vector made a unit vector that is short of one by the square of an angle: Newton's steps for
+/// 1 / length from 1.
+template <class Real>
+constexpr Vector3<Real> nearly_unit(Vector3<Real> v) {
+  for (int n = 0; n < 2; ++n) v = (Real{1.5} - Real{0.5} * dot(v, v)) * v;
+  return v;
+}
+
+}  // namespace detail
+
+/// The pose of a beam of whose elastic deformation the share p remains: its section normals lean
+/// towards the chord.
+template <class Real>
+constexpr BeamPose<Real> relaxed(const BeamPose<Real>& pose, const Vector3<Real>& direction,
+                                 const Real& fraction) {
+  const auto lean = [&](const Vector3<Real>& normal) {
+    return detail::nearly_unit(direction + fraction * (normal - direction));
+  };
+  return {pose.chord, lean(pose.normal_i), lean(pose.normal_j), pose.relative_turn};
+}
+
+/// The pose of a beam of whose bending the share p remains; how much it is sheared does not change.
+template <class Real>
+constexpr BeamPose<Real> straightened(const BeamPose<Real>& pose, const Real& fraction) {
+  const Vector3<Real> back = (Real{0.5} * (Real{1.0} - fraction)) * (pose.normal_j - pose.normal_i);
+  return {pose.chord, detail::nearly_unit(pose.normal_i + back),
+          detail::nearly_unit(pose.normal_j - back), pose.relative_turn};
+}
+
+/// What a bond does in a pose, and what it will remember if the pose is accepted.
+template <class Real>
+struct BeamResponse {
+  BeamLoad<Real> load;
+  BeamHistory<Real> history;  ///< to be kept when the time step is
+  Real strain;                ///< σ_e / E after any flow
+  Real energy;                ///< elastic, after any flow, J
+  Real plastic_work;          ///< taken by this flow, J
+  BondStrain<Real> strains;   ///< after any flow
+};
+
+/// Where the ends of a bond stand.
+template <class Real>
+struct BeamEnds {
+  Vector3<Real> chord;  ///< from centre i to centre j, m
+  Quaternion<Real> orientation_i, orientation_j;
+};
+
+/// A beam in a pose.
+template <class Real>
+struct BeamState {
+  BeamPose<Real> pose;
+  BeamDeformation<Real> deformation;
+};
+
+/// A bond in a pose, as the rules of flow look at it.
+template <class Real>
+struct PosedBeam {
+  BeamState<Real> now;    ///< of the shape that the bond remembers
+  BeamState<Real> whole;  ///< of the shape that it was made with; scaled offset alone looks at it
+  Quaternion<Real> orientation_i, orientation_j;
+};
+
+/// What work is told from: the bond in the last pose.
+template <class Real>
+struct LastPose {
+  BeamModes<Real> modes;  ///< turned with element i to where it stands now
+  Real strain;            ///< by which flow is judged
+};
+
+/// A flow in a pose.
+template <class Real>
+struct BeamFlow {
+  BeamState<Real> left;  ///< of the shape that it leads to
+  Real trial_strain;     ///< by which it is judged
+  Real limit;            ///< a bond flows whose strain exceeds it
+  Real strain;           ///< κ afterwards: more than before where it flows
+  Real elastic_strain;   ///< σ_e / E afterwards
+};
+
+namespace detail {
+
+/// Elastic deformation, in world axes.
+template <class Real>
+constexpr BeamModes<Real> world_modes(const BeamState<Real>& state) {
+  const auto& [pose, deformation] = state;
+  return {pose.normal_i - deformation.direction, pose.normal_j - deformation.direction,
+          deformation.extension, deformation.twist};
+}
+
+template <class Real>
+constexpr BeamModes<Real> turned(const Quaternion<Real>& rotation, const BeamModes<Real>& modes) {
+  return {rotate(rotation, modes.lean_i), rotate(rotation, modes.lean_j), modes.extension,
+          modes.twist};
+}
+
+/// a + s b
+template <class Real>
+constexpr BeamModes<Real> sum_of(const BeamModes<Real>& a, const Real& s,
+                                 const BeamModes<Real>& b) {
+  return {a.lean_i + s * b.lean_i, a.lean_j + s * b.lean_j, a.extension + s * b.extension,
+          a.twist + s * b.twist};
+}
+
+/// A deformation of which shares remain.
+template <class Real>
+constexpr BeamDeformation<Real> remaining(const BeamDeformation<Real>& deformation,
+                                          const Real& of_extension, const Real& of_twist) {
+  BeamDeformation<Real> left = deformation;
+  left.extension = of_extension * deformation.extension;
+  left.twist = of_twist * deformation.twist;
+  return left;
+}
+
+/// A pose and a deformation of which the same share remains in every mode.
+template <class Real>
+constexpr BeamState<Real> remaining(const BeamState<Real>& state, const Real& fraction) {
+  return {relaxed(state.pose, state.deformation.direction, fraction),
+          remaining(state.deformation, fraction, fraction)};
+}
+
+template <class Real>
+constexpr Real judged_strain(const YieldingBeam<Real>& beam, const BeamState<Real>& state) {
+  return equivalent_strain(beam.yield_section, beam, state.pose, state.deformation);
+}
+
+template <class Law, class Real>
+constexpr BeamFlow<Real> radial_flow(const YieldCurve<Law, Real>& yield,
+                                     const YieldingBeam<Real>& beam, const Real& plastic_strain,
+                                     const BeamState<Real>& now) {
+  const Real strain = judged_strain(beam, now);
+  const PlasticFlow<Real> flow = radial_return(yield, strain, plastic_strain);
+  return {remaining(now, flow.fraction), strain, yield.limit(plastic_strain), flow.strain,
+          flow.elastic_strain};
+}
+
+template <class Law, class Real>
+constexpr BeamFlow<Real> offset_flow(const YieldCurve<Law, Real>& yield,
+                                     const YieldingBeam<Real>& beam, const Real& plastic_strain,
+                                     const BeamState<Real>& whole) {
+  const Real strain = judged_strain(beam, whole);
+  const PlasticFlow<Real> flow = scaled_offset(yield, strain, plastic_strain);
+  return {remaining(whole, flow.fraction), strain, yield.total_limit(plastic_strain), flow.strain,
+          flow.elastic_strain};
+}
+
+/// Of the section at mid-length.
+template <class Law, class Real>
+constexpr BeamFlow<Real> normal_flow(const YieldCurve<Law, Real>& yield,
+                                     const YieldingBeam<Real>& beam, const Real& plastic_strain,
+                                     const BeamState<Real>& now) {
+  using std::abs;
+  const auto& [pose, deformation] = now;
+  const Real strain = equivalent_strain(beam.radius, beam.shear_ratio, pose, deformation);
+  const Real& per_length = deformation.inverse_rest_length;
+  const ResultantStrain<Real> resultants{
+      per_length * abs(deformation.extension),
+      bending_strain(JudgedSection::middle, beam, pose, deformation),
+      per_length * (beam.shear_ratio * beam.radius * deformation.twist)};
+  const AssociatedFlow<Real> flow =
+      associated_flow(yield, resultants, beam.shear_ratio, strain, plastic_strain);
+  return {{straightened(pose, flow.bending), remaining(deformation, flow.normal, flow.twist)},
+          strain,
+          yield.limit(plastic_strain),
+          flow.strain,
+          flow.elastic_strain};
+}
+
+/// The share of a step in which a bond is strained until it begins to flow.
+template <class Real>
+constexpr Real share_below(const Real& last_strain, const BeamFlow<Real>& flow) {
+  const auto from_below =
+      both(greater(flow.limit, last_strain), greater(flow.trial_strain, flow.limit));
+  const Real way = select(from_below, flow.trial_strain - last_strain, Real{1.0});
+  return select(from_below, (flow.limit - last_strain) / way, Real{0.0});
+}
+
+/// A bond that keeps its shape. `strain`: σ_e / E.
+template <class Real>
+constexpr BeamResponse<Real> unflowed(const YieldingBeam<Real>& beam,
+                                      const BeamHistory<Real>& history, const BeamState<Real>& now,
+                                      const Real& strain) {
+  return {beam_load(beam.rigidity, now.pose, now.deformation),
+          history,
+          strain,
+          beam_energy(beam.rigidity, now.pose, now.deformation),
+          Real{0.0},
+          bond_strain(beam, now.pose, now.deformation, strain, history.strain)};
+}
+
+}  // namespace detail
+
+/// What would flow by a rule. Nothing that is passed in changes.
+template <FlowRule rule, class Law, class Real>
+constexpr BeamFlow<Real> beam_flow(const YieldCurve<Law, Real>& yield,
+                                   const YieldingBeam<Real>& beam, const Real& plastic_strain,
+                                   const PosedBeam<Real>& at) {
+  if constexpr (rule == FlowRule::scaled_offset)
+    return detail::offset_flow(yield, beam, plastic_strain, at.whole);
+  else if constexpr (rule == FlowRule::associated)
+    return detail::normal_flow(yield, beam, plastic_strain, at.now);
+  else
+    return detail::radial_flow(yield, beam, plastic_strain, at.now);
+}
+
+/// What a bond does that flows, and its history if the pose is accepted.
+template <class Real>
+constexpr BeamResponse<Real> flowed_response(const YieldingBeam<Real>& beam,
+                                             const BeamHistory<Real>& history,
+                                             const PosedBeam<Real>& at, const BeamFlow<Real>& flow,
+                                             const LastPose<Real>& last) {
+  const auto& [pose, left] = flow.left;
+  const Quaternion<Real> back_i = conjugate(at.orientation_i);
+  const Quaternion<Real> back_j = conjugate(at.orientation_j);
+  const Real twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
+  const BeamModes<Real> modes = detail::world_modes(at.now);
+  const BeamModes<Real> modes_left = detail::world_modes(flow.left);
+  const Real share = detail::share_below(last.strain, flow);
+  const Real one{1.0};
+  const BeamModes<Real> flown = detail::sum_of(modes, -one, modes_left);
+  const BeamModes<Real> start =
+      detail::sum_of(last.modes, share, detail::sum_of(modes, -one, last.modes));
+  const BeamModes<Real> twice_mean = detail::sum_of(start, one, modes_left);
+  return {beam_load(beam.rigidity, pose, left),
+          {rotate(back_i, pose.normal_i), rotate(back_j, pose.normal_j),
+           history.extension + (at.now.deformation.extension - left.extension), twist - left.twist,
+           flow.strain, history.last, history.last_strain},
+          flow.elastic_strain,
+          beam_energy(beam.rigidity, pose, left),
+          mutual_energy(beam.rigidity, beam.rest_length, twice_mean, flown),
+          bond_strain(beam, pose, left, flow.elastic_strain, flow.strain)};
+}
+
+/// A bond that keeps its shape, in a pose and with the deformation of it.
+template <class Real>
+constexpr BeamResponse<Real> elastic_response(const YieldingBeam<Real>& beam,
+                                              const BeamHistory<Real>& history,
+                                              const BeamState<Real>& now) {
+  return detail::unflowed(beam, history, now, detail::judged_strain(beam, now));
+}
+
+/// What a bond does that may flow, and its history if the pose is accepted: of that the last
+/// deformation in world axes.
+template <class Law, class Real>
+constexpr BeamResponse<Real> flow_response(FlowRule rule, const YieldCurve<Law, Real>& yield,
+                                           const YieldingBeam<Real>& beam,
+                                           const BeamHistory<Real>& history,
+                                           const PosedBeam<Real>& at, const LastPose<Real>& last) {
+  return by_rule(rule, [&](auto known) {
+    constexpr bool offset = decltype(known)::value == FlowRule::scaled_offset;
+    const BeamFlow<Real> flow = beam_flow<decltype(known)::value>(yield, beam, history.strain, at);
+    const bool flows = any(greater(flow.strain, history.strain));
+    BeamResponse<Real> response = flows ? flowed_response(beam, history, at, flow, last)
+                                        : elastic_response(beam, history, at.now);
+    response.history.last = detail::world_modes(flows ? flow.left : at.now);
+    response.history.last_strain = flows && !offset ? flow.elastic_strain : flow.trial_strain;
+    return response;
+  });
+}
+
+/// The same from where the ends stand. `rest_direction`: of the bond when it was made, in body
+/// axes.
+template <class Law, class Real>
+constexpr BeamResponse<Real> flow_response(FlowRule rule, const YieldCurve<Law, Real>& yield,
+                                           const YieldingBeam<Real>& beam,
+                                           const BeamHistory<Real>& history,
+                                           const Vector3<Real>& rest_direction,
+                                           const BeamEnds<Real>& ends) {
+  const auto& [chord, i, j] = ends;
+  const BeamPose<Real> pose = beam_pose(chord, history.normal_i, history.normal_j, i, j);
+  const BeamPose<Real> whole = beam_pose(chord, rest_direction, i, j);
+  const PosedBeam<Real> at{{pose, elastic_deformation(beam.rest_length, pose, history)},
+                           {whole, beam_deformation(beam.rest_length, whole)},
+                           i,
+                           j};
+  BeamResponse<Real> response = flow_response<Law, Real>(
+      rule, yield, beam, history, at, {detail::turned(i, history.last), history.last_strain});
+  response.history.last = detail::turned(conjugate(i), response.history.last);
+  return response;
+}
+
+}  // namespace solidem
+
+#endif
