@@ -108,7 +108,6 @@ class History:
     twist: Floats  #: (B,) plastic, rad
     strain: Floats  #: (B,) equivalent plastic strain
     last: Modes  #: elastic deformation in the last pose
-    last_strain: Floats  #: (B,) strain there by which flow is judged
 
 
 @dataclass
@@ -155,7 +154,7 @@ class BeamLaw:
         none = np.zeros(len(bonds.rest_length))
         still = np.zeros((len(none), 3))
         self.history = History(bonds.rest_direction.copy(), bonds.rest_direction.copy(), none,
-                               none.copy(), none.copy(), Modes(still, still, none, none), none.copy())
+                               none.copy(), none.copy(), Modes(still, still, none, none))
         self.intact: Flags = np.ones(len(none), dtype=bool)
         self.plastic_work = 0.0  #: so far, J
         self.fracture_energy = 0.0  #: lost by bonds that broke, J
@@ -237,7 +236,7 @@ class BeamLaw:
             none = np.zeros_like(elastic)
             start = self._deformation(
                 chord, of_i, of_j,
-                History(bonds.rest_direction, bonds.rest_direction, none, none, none, old.last, none))
+                History(bonds.rest_direction, bonds.rest_direction, none, none, none, old.last))
         fraction, plastic, strain = self._flow(elastic, self._strain(start))
         flows = (plastic > old.strain) & self.intact
 
@@ -258,35 +257,22 @@ class BeamLaw:
             np.where(flows, found.length - bonds.rest_length - left.extension, old.extension),
             np.where(flows, _dot(u, a_i + a_j) - left.twist, old.twist),
             np.where(flows, plastic, old.strain),
-            left.modes(of_i), self._judged(strain, self._strain(start)))
+            left.modes(of_i))
         loads = [np.where(self.intact[:, None], load, 0.0)
                  for load in self._loads(left, of_i, of_j)]
         return Response(
             *loads, history, strain, np.where(self.intact, energy, 0.0),
-            self._work(found.modes(of_i), history.last, self._strain(start), flows),
+            self._work(found.modes(of_i), history.last, flows),
             self.intact & ((strain > self.largest_stress)
                            | (strain + history.strain > self.largest_strain)),
             self._mutual(old.last, found.modes(of_i)))
 
-    def _judged(self, strain: Floats, whole: Floats) -> Floats:
-        """The strain by which flow is judged, after any flow."""
-        return whole if self.flow is not None and self.flow.scaled_offset else strain
-
-    def _work(self, before: Modes, after: Modes, strain: Floats, flows: Flags) -> Floats:
-        """Plastic work of a flow from an elastic deformation, judged by a strain, to another."""
-        if self.flow is None:
-            return np.zeros_like(strain)
-        last, mutual, old = self.history.last, self._mutual, self.history
-        growth = self.flow.hardening_ratio + (1 if self.flow.scaled_offset else 0)
-        limit = self.flow.strain + growth * old.strain
-        below = flows & (limit > old.last_strain)
-        way = np.where(below, strain - old.last_strain, 1)
-        share = np.where(below, (limit - old.last_strain) / way, 0)
-        crossed = mutual(before, after)
-        along_last = mutual(last, before) - mutual(last, after)
-        along_trial = mutual(before, before) - crossed
-        return np.where(flows, along_last + share * (along_trial - along_last)
-                        + crossed - mutual(after, after), 0.0)
+    def _work(self, before: Modes, after: Modes, flows: Flags) -> Floats:
+        """Plastic work of a flow from an elastic deformation to another: by half of the load in the
+        last pose and half of that which is left."""
+        last, mutual = self.history.last, self._mutual
+        return np.where(flows, mutual(last, before) - mutual(last, after)
+                        + mutual(before, after) - mutual(after, after), 0.0)
 
     def keep(self, response: Response) -> None:
         """Accepts the pose that the response belongs to."""

@@ -74,8 +74,9 @@ inline BondNow<Real> load_bond(Kind kind, const Motion& m, const Slot& slot, boo
 /// Of the shape that the bond was made with.
 template <class Kind, class Motion, class Slot, class Real, class Turned>
 inline BeamState<Real> since_made(Kind kind, const Motion& m, const Slot& slot,
-                                  const BondNow<Real>& bond, BeamPose<Real> pose,
-                                  const Turned& turned, const Quaternion<Real>& other_turned) {
+                                  const BondNow<Real>& bond, const Turned& turned,
+                                  const Quaternion<Real>& other_turned) {
+  BeamPose<Real> pose = bond.pose;
   if (!kind.has_rotation) return {pose, spring_deformation(bond.rest_length, pose.chord)};
   const Vector3<Real> rest_direction = slot.vector(m.rest_direction);
   pose.normal_i = rotate(turned, rest_direction);
@@ -91,29 +92,24 @@ inline PosedBeam<Real> posed_beam(Kind kind, const Motion& m, const Slot& slot, 
                                   const Quaternion<Real>& other_turned) {
   PosedBeam<Real> posed{{bond.pose, bond.deformation}, {}, turned, other_turned};
   if (rule == FlowRule::scaled_offset)
-    posed.whole = since_made(kind, m, slot, bond, bond.pose, rotation, other_turned);
+    posed.whole = since_made(kind, m, slot, bond, rotation, other_turned);
   return posed;
 }
 
-/// The bond in the last pose. `chord`, `other_turned`: chord and orientation of the neighbour then,
-/// turned with the element to where it stands now.
-template <class Kind, class Motion, class Slot, class Real, class Turned>
-inline LastPose<Real> last_pose(Kind kind, const Motion& m, const Slot& slot, FlowRule rule,
-                                const YieldingBeam<Real>& beam, const BondNow<Real>& bond,
-                                const Turned& rotation, const Quaternion<Real>& turned,
-                                const Vector3<Real>& chord, const Quaternion<Real>& other_turned) {
+/// Its elastic deformation in the last pose, of the shape that it remembers now. `chord`,
+/// `other_turned`: chord and orientation of the neighbour then, turned with the element to where it
+/// stands now.
+template <class Kind, class Real>
+inline BeamModes<Real> last_modes(Kind kind, const BondNow<Real>& bond,
+                                  const Quaternion<Real>& turned, const Vector3<Real>& chord,
+                                  const Quaternion<Real>& other_turned) {
   BeamPose<Real> pose = bond.pose;
   pose.chord = chord;
   if (kind.has_rotation) {
     pose.normal_j = rotate(other_turned, bond.history.normal_j);
     pose.relative_turn = other_turned * conjugate(turned);
   }
-  const BeamState<Real> last{pose, deformation_in(kind, bond, pose)};
-  const BeamModes<Real> modes = detail::world_modes(last);
-  if (rule != FlowRule::scaled_offset)
-    return {modes, equivalent_strain(beam.yield_section, beam, last.pose, last.deformation)};
-  const BeamState<Real> whole = since_made(kind, m, slot, bond, pose, rotation, other_turned);
-  return {modes, equivalent_strain(beam.yield_section, beam, whole.pose, whole.deformation)};
+  return detail::world_modes<Real>({pose, deformation_in(kind, bond, pose)});
 }
 
 }  // namespace solidem

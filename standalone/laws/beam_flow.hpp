@@ -4,12 +4,10 @@
 // (flow_rule.hpp).
 //
 // Plastic work of a flow by Δq_p is ½ (Q_n + Q')·Δq_p, Q_n the load in the last pose and Q' the one
-// that is left: the mean load, as it works on whatever moves the ends. A bond that did not stand on
-// the yield surface in the last pose reached it at the share s of the way from there,
-// s (ε − ε_n) = ε_y(κ) − ε_n. With q_n, q and q' the elastic deformations in the last pose, before
-// and after the flow, and W(a, b) their mutual energy, half of what the load of a does along b, it
-// is
-//   W((1 − s) q_n + s q + q', q − q').
+// that is left: the mean load, as it works in a step on whatever moves the ends. So it is too where
+// the bond stood below the yield surface in the last pose: all energies of a step then add up. With
+// q_n, q and q' the elastic deformations in the last pose, before and after the flow, and W(a, b)
+// their mutual energy, half of what the load of a does along b, it is W(q_n + q', q − q').
 #ifndef SOLIDEM_LAWS_BEAM_FLOW_HPP
 #define SOLIDEM_LAWS_BEAM_FLOW_HPP
 
@@ -83,19 +81,10 @@ struct PosedBeam {
   Quaternion<Real> orientation_i, orientation_j;
 };
 
-/// What work is told from: the bond in the last pose.
-template <class Real>
-struct LastPose {
-  BeamModes<Real> modes;  ///< turned with element i to where it stands now
-  Real strain;            ///< by which flow is judged
-};
-
 /// A flow in a pose.
 template <class Real>
 struct BeamFlow {
   BeamState<Real> left;  ///< of the shape that it leads to
-  Real trial_strain;     ///< by which it is judged
-  Real limit;            ///< a bond flows whose strain exceeds it
   Real strain;           ///< κ afterwards: more than before where it flows
   Real elastic_strain;   ///< σ_e / E afterwards
 };
@@ -152,8 +141,7 @@ constexpr BeamFlow<Real> radial_flow(const YieldCurve<Law, Real>& yield,
                                      const BeamState<Real>& now) {
   const Real strain = judged_strain(beam, now);
   const PlasticFlow<Real> flow = radial_return(yield, strain, plastic_strain);
-  return {remaining(now, flow.fraction), strain, yield.limit(plastic_strain), flow.strain,
-          flow.elastic_strain};
+  return {remaining(now, flow.fraction), flow.strain, flow.elastic_strain};
 }
 
 template <class Law, class Real>
@@ -162,8 +150,7 @@ constexpr BeamFlow<Real> offset_flow(const YieldCurve<Law, Real>& yield,
                                      const BeamState<Real>& whole) {
   const Real strain = judged_strain(beam, whole);
   const PlasticFlow<Real> flow = scaled_offset(yield, strain, plastic_strain);
-  return {remaining(whole, flow.fraction), strain, yield.total_limit(plastic_strain), flow.strain,
-          flow.elastic_strain};
+  return {remaining(whole, flow.fraction), flow.strain, flow.elastic_strain};
 }
 
 /// Of the section at mid-length.
@@ -182,19 +169,8 @@ constexpr BeamFlow<Real> normal_flow(const YieldCurve<Law, Real>& yield,
   const AssociatedFlow<Real> flow =
       associated_flow(yield, resultants, beam.shear_ratio, strain, plastic_strain);
   return {{straightened(pose, flow.bending), remaining(deformation, flow.normal, flow.twist)},
-          strain,
-          yield.limit(plastic_strain),
           flow.strain,
           flow.elastic_strain};
-}
-
-/// The share of a step in which a bond is strained until it begins to flow.
-template <class Real>
-constexpr Real share_below(const Real& last_strain, const BeamFlow<Real>& flow) {
-  const auto from_below =
-      both(greater(flow.limit, last_strain), greater(flow.trial_strain, flow.limit));
-  const Real way = select(from_below, flow.trial_strain - last_strain, Real{1.0});
-  return select(from_below, (flow.limit - last_strain) / way, Real{0.0});
 }
 
 /// A bond that keeps its shape. `strain`: σ_e / E.
@@ -225,28 +201,25 @@ constexpr BeamFlow<Real> beam_flow(const YieldCurve<Law, Real>& yield,
     return detail::radial_flow(yield, beam, plastic_strain, at.now);
 }
 
-/// What a bond does that flows, and its history if the pose is accepted.
+/// What a bond does that flows, and its history if the pose is accepted. `last`: its elastic
+/// deformation in the last pose, turned with element i to where it stands now.
 template <class Real>
 constexpr BeamResponse<Real> flowed_response(const YieldingBeam<Real>& beam,
                                              const BeamHistory<Real>& history,
                                              const PosedBeam<Real>& at, const BeamFlow<Real>& flow,
-                                             const LastPose<Real>& last) {
+                                             const BeamModes<Real>& last) {
   const auto& [pose, left] = flow.left;
   const Quaternion<Real> back_i = conjugate(at.orientation_i);
   const Quaternion<Real> back_j = conjugate(at.orientation_j);
   const Real twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
   const BeamModes<Real> modes = detail::world_modes(at.now);
   const BeamModes<Real> modes_left = detail::world_modes(flow.left);
-  const Real share = detail::share_below(last.strain, flow);
-  const Real one{1.0};
-  const BeamModes<Real> flown = detail::sum_of(modes, -one, modes_left);
-  const BeamModes<Real> start =
-      detail::sum_of(last.modes, share, detail::sum_of(modes, -one, last.modes));
-  const BeamModes<Real> twice_mean = detail::sum_of(start, one, modes_left);
+  const BeamModes<Real> twice_mean = detail::sum_of(last, Real{1.0}, modes_left);
+  const BeamModes<Real> flown = detail::sum_of(modes, Real{-1.0}, modes_left);
   return {beam_load(beam.rigidity, pose, left),
           {rotate(back_i, pose.normal_i), rotate(back_j, pose.normal_j),
            history.extension + (at.now.deformation.extension - left.extension), twist - left.twist,
-           flow.strain, history.last, history.last_strain},
+           flow.strain, history.last},
           flow.elastic_strain,
           beam_energy(beam.rigidity, pose, left),
           mutual_energy(beam.rigidity, beam.rest_length, twice_mean, flown),
@@ -267,15 +240,13 @@ template <class Law, class Real>
 constexpr BeamResponse<Real> flow_response(FlowRule rule, const YieldCurve<Law, Real>& yield,
                                            const YieldingBeam<Real>& beam,
                                            const BeamHistory<Real>& history,
-                                           const PosedBeam<Real>& at, const LastPose<Real>& last) {
+                                           const PosedBeam<Real>& at, const BeamModes<Real>& last) {
   return by_rule(rule, [&](auto known) {
-    constexpr bool offset = decltype(known)::value == FlowRule::scaled_offset;
     const BeamFlow<Real> flow = beam_flow<decltype(known)::value>(yield, beam, history.strain, at);
     const bool flows = any(greater(flow.strain, history.strain));
     BeamResponse<Real> response = flows ? flowed_response(beam, history, at, flow, last)
                                         : elastic_response(beam, history, at.now);
     response.history.last = detail::world_modes(flows ? flow.left : at.now);
-    response.history.last_strain = flows && !offset ? flow.elastic_strain : flow.trial_strain;
     return response;
   });
 }
@@ -295,8 +266,8 @@ constexpr BeamResponse<Real> flow_response(FlowRule rule, const YieldCurve<Law, 
                            {whole, beam_deformation(beam.rest_length, whole)},
                            i,
                            j};
-  BeamResponse<Real> response = flow_response<Law, Real>(
-      rule, yield, beam, history, at, {detail::turned(i, history.last), history.last_strain});
+  BeamResponse<Real> response =
+      flow_response<Law, Real>(rule, yield, beam, history, at, detail::turned(i, history.last));
   response.history.last = detail::turned(conjugate(i), response.history.last);
   return response;
 }

@@ -38,14 +38,13 @@ struct BeamHistory {
   Real twist;              ///< plastic part, rad
   Real strain;             ///< κ: equivalent plastic strain, never decreasing
   BeamModes<Real> last;    ///< elastic deformation in the last pose
-  Real last_strain;        ///< strain there by which flow is judged
 };
 
 /// The history of a beam that has not flowed.
 template <class Real>
 constexpr BeamHistory<Real> unyielded(const Vector3<Real>& rest_direction) {
   const Real none{0.0};
-  return {rest_direction, rest_direction, none, none, none, {}, none};
+  return {rest_direction, rest_direction, none, none, none, {}};
 }
 
 /// Deformation of a beam since it last flowed.

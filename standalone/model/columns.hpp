@@ -132,7 +132,8 @@ inline constexpr Column limit_strain{
     1,
     true,
     "1",
-    "equivalent, up to which the beam surely neither flows nor breaks"};
+    "equivalent, up to which the beam surely neither flows nor breaks; negative where it may have "
+    "another shape than at the start"};
 inline constexpr Column plastic_work{"plastic_work",
                                      Site::element,
                                      Layout::lanes,

@@ -85,12 +85,11 @@ TEST_P(EnergyOfFlow, is_accounted_for_the_better_the_finer_the_step) {
   std::printf("  %s: plastic work %.2f of the energy; balance %.1e, %.1e, %.1e, %.1e; order %.2f\n",
               c.name, fraction, errors[0], errors[1], errors[2], errors[3], order);
   EXPECT_GT(fraction, 0.1);
-  // Each flow is counted with the loads before and after it, on the yield surface. The falls of the
-  // scaled offset are not resolved.
-  const bool falls = c.flow == FlowLaw::scaled_offset;
-  EXPECT_LT(errors[0], falls ? 4e-3 : 1e-3);
-  EXPECT_LT(errors[3], falls ? 3e-4 : 2e-5);
-  EXPECT_GT(order, falls ? 1 : 1.8);
+  // Each flow is counted with the loads that act before and after it. What is left, of a millionth,
+  // is of sections that lean, which is not quite linear.
+  EXPECT_LT(errors[0], 1e-4);
+  EXPECT_LT(errors[3], 2e-6);
+  EXPECT_GT(order, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -148,6 +147,29 @@ TEST_P(EnergyOfRupture, is_accounted_for_the_better_the_finer_the_step) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, EnergyOfRupture, testing::Bool());
+
+TEST(EnergyOfRupture, of_a_bar_that_is_drawn_till_it_flows_and_tears_is_whole) {
+  // The load in the last pose counts wherever it stands: most flows here begin below the surface.
+  auto setup = yielding_setup(2e-3, 0.01);
+  setup.get<RuptureParameters>() = breaking_at_strain(0.01);
+  setup.run.time_step_ratio = 0.3;
+  auto right = pull("right", face(0, true), 0);
+  right.axis[0].function = {{0, 3e-7}, {0, 100}};
+  setup.all<GripParameters>() = {hold("left", face(0, false)), right};
+  Simulation simulation(setup, jittered("bcc", {8, 2, 2}));
+  double worst = 0;
+  while (simulation.time() < 8e-7) {
+    simulation.advance(10);
+    worst = std::max(worst, std::fabs(seen(simulation, "energy_balance")));
+  }
+  const double work = seen(simulation, "external_work");
+  std::printf("  %.0f bonds broken, plastic work %.2f of the work, balance %.1e\n",
+              seen(simulation, "broken_bonds"), seen(simulation, "plastic_work") / work,
+              worst / work);
+  EXPECT_GT(seen(simulation, "broken_bonds"), 10);
+  EXPECT_GT(seen(simulation, "plastic_work"), 0.2 * work);
+  EXPECT_LT(worst, 1e-5 * work);
+}
 
 TEST(EnergyOfRupture, of_one_bond_is_what_it_stored) {
   // Drawn slowly to its limit, a bond of length l holds ½ E S l ε² when it breaks.

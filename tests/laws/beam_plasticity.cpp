@@ -250,13 +250,9 @@ TEST(BeamPlasticity, loads_of_a_flowed_bond_are_the_gradient_of_its_energy) {
     const BeamPose<Dual> p{dual(pose.chord) - Vector3<Dual>{du[0], du[1], du[2]},
                            rotated(pose.normal_i, 3), rotated(pose.normal_j, 6),
                            turn_of(6) * relative * conjugate(turn_of(3))};
-    const BeamHistory<Dual> h{dual(history.normal_i),
-                              dual(history.normal_j),
-                              Dual{history.extension},
-                              Dual{history.twist},
-                              Dual{history.strain},
-                              {},
-                              Dual{}};
+    const BeamHistory<Dual> h{dual(history.normal_i),  dual(history.normal_j),
+                              Dual{history.extension}, Dual{history.twist},
+                              Dual{history.strain},    {}};
     const Dual energy = beam_energy<Dual>(rigidity, p, elastic_deformation<Dual>(Dual{l}, p, h));
     const double scale = k < 3 ? norm(load.force) : norm(load.moment_i);
     EXPECT_NEAR(-energy.derivative, expected[k], 1e-9 * scale) << k;

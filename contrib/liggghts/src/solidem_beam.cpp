@@ -148,7 +148,7 @@ solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondE
                                               const YieldingBeam<double>& bond, State& now,
                                               double step) const {
   const solidem::BeamResponse<double> response = this->response(memory, ends, bond, now);
-  keep_last(memory, response.history.last, response.history.last_strain);
+  keep_last(memory, response.history.last, 0.0);
   if (!(response.history.strain > memory[Row::PLASTIC_STRAIN])) return response.strains;
 
   store(memory + Row::NORMAL_I, response.history.normal_i);

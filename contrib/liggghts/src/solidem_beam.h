@@ -38,7 +38,7 @@ struct SolidemBondMemory {
                    ///< push at that step
     ENERGY = 13,   ///< broken: its energy when it acted for the last time
     LAST = 14,  ///< 9: elastic deformation in the last pose: leans of both ends, extension, twist;
-                ///< and the strain there by which flow is judged; broken: the contact's push there
+                ///< and, broken, the contact's push there
     REST_DIRECTION = 23,  ///< 3: direction when it was made, in body axes
   };
   /// Numbers of a bond that is elastic; may flow or break; flows by the scaled offset.
@@ -204,12 +204,10 @@ inline solidem::BeamHistory<double> SolidemBeam::history(const double* memory) c
                                        memory[Row::EXTENSION],
                                        memory[Row::TWIST],
                                        memory[Row::PLASTIC_STRAIN],
-                                       {},
-                                       0.0};
+                                       {}};
   if (!flows) return kept;
   const double* last = memory + Row::LAST;
   kept.last = {solidem_vector(last), solidem_vector(last + 3), last[6], last[7]};
-  kept.last_strain = last[8];
   return kept;
 }
 

@@ -161,15 +161,15 @@ inline LimitedBonds limited_bonds(Kind kind, const BeamMotion& m, const OwnEnds&
       other_turned};
 }
 
-/// Bonds in the last pose.
-template <FlowRule rule, class Kind>
-inline LastPose<Pack> last_of(Kind kind, const BeamMotion& m, const SlotPlace& slot,
-                              const LimitedBonds& at, const OwnEnds& own,
-                              const OwnLastEnds& own_last) {
+/// Elastic deformation of bonds in the last pose.
+template <class Kind>
+inline BeamModes<Pack> last_of(Kind kind, const BeamMotion& m, const SlotPlace& slot,
+                               const BondPack& bond, const OwnEnds& own,
+                               const OwnLastEnds& own_last) {
   const Row other = Row::gather(m.last_pose, m.neighbour + slot.of(1));
-  const PackVector chord = rotate(own_last.rotation, chord_to(m, slot, own_last.position, other));
-  return last_pose(kind, m, slot, rule, at.beam, at.bond, own.rotation, own.turned, chord,
-                   own_last.turn * orientation(other));
+  return last_modes(kind, bond, own.turned,
+                    rotate(own_last.rotation, chord_to(m, slot, own_last.position, other)),
+                    own_last.turn * orientation(other));
 }
 
 /// Keeps the history of lanes that flow.
@@ -240,8 +240,8 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
       beam_flow<rule>(YieldCurve<Law, Pack>{law}, at.beam, before.strain, posed);
   const Mask present = is_bond(bond), flowing = both(present, greater(flow.strain, before.strain));
   if (!any(flowing)) return unflowing_load(kind, m, slot, at);
-  const BeamResponse<Pack> response = flowed_response(
-      at.beam, before, posed, flow, last_of<rule>(kind, m, slot, at, own, own_last));
+  const BeamResponse<Pack> response =
+      flowed_response(at.beam, before, posed, flow, last_of(kind, m, slot, bond, own, own_last));
   SlotLoad result{response.load.force, response.load.moment_i,
                   select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0))};
   BondStrain<Pack> strains = response.strains;
