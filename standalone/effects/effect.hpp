@@ -159,7 +159,7 @@ class Effect : public Observer {
   virtual double stiffened() const { return 1; }
 
   /// Work done on the body from outside since the start, J.
-  virtual double work() const { return 0; }
+  virtual double work(const Model& /*model*/) const { return 0; }
   /// Energy that went from motion into what does not come back, J, as far as the balance that stops
   /// a diverging run needs it.
   virtual double spent(const Model& /*model*/) const { return 0; }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // [gravity]: a uniform field that pulls on all elements.
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "effects/assembly.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/push.hpp"
 #include "keys/rules.hpp"
+#include "model/blocks.hpp"
 
 namespace solidem {
 
@@ -23,40 +26,44 @@ class Gravity : public Effect {
       : acceleration_(parameters.acceleration), mass_(mass) {}
 
   void advance(Model& model, const Step& step) override {
-    for (std::size_t i = 0; i < mass_.size(); ++i)
+    for_elements(model, [&](std::size_t i) {
       push(model, step, static_cast<std::int32_t>(i), mass_[i] * acceleration_);
-    work_ = work_on(model, model.next_positions());
+    });
   }
 
   void observe(const Model& model, Observation& observation) const override {
     for (std::size_t i = 0; i < mass_.size(); ++i)
       observe_push(model, observation, static_cast<std::int32_t>(i), mass_[i] * acceleration_);
-    observation.energies.add(EnergyLedger::Kind::input, "gravity_work",
-                             work_on(model, model.positions()));
+    observation.energies.add(EnergyLedger::Kind::input, "gravity_work", work(model));
   }
 
-  double work() const override { return work_; }
-  void state(Archive& archive) override { archive(work_); }
+  /// It depends on where elements are and not on how they came there.
+  double work(const Model& model) const override {
+    const std::vector<Vector>& start = model.specimen().position;
+    const auto positions = model.positions();
+    std::vector<double> of_block(model.slots().blocks(), 0.0);
+    for_elements(model, [&](std::size_t i) {
+      const Vector now{positions[i][0], positions[i][1], positions[i][2]};
+      of_block[i / lanes] += mass_[i] * dot(acceleration_, now - start[i]);
+    });
+    return std::accumulate(of_block.begin(), of_block.end(), 0.0);
+  }
+
   void summarise(const Model& model, Summary& summary) const override {
-    summary["gravity_work"] = work_on(model, model.positions());
+    summary["gravity_work"] = work(model);
   }
 
  private:
-  /// Since the start, J: it depends on where elements are and not on how they came there.
-  template <class Positions>
-  double work_on(const Model& model, const Positions& positions) const {
-    const std::vector<Vector>& start = model.specimen().position;
-    double sum = 0;
-    for (std::size_t i = 0; i < mass_.size(); ++i) {
-      const Vector now{positions[i][0], positions[i][1], positions[i][2]};
-      sum += mass_[i] * dot(acceleration_, now - start[i]);
-    }
-    return sum;
+  /// act(element) of each, on all threads.
+  template <class Act>
+  void for_elements(const Model& model, const Act& act) const {
+    for_blocks(model.slots().blocks(), 40, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first * lanes; i < std::min(last * lanes, mass_.size()); ++i) act(i);
+    });
   }
 
   Vector acceleration_;
   std::vector<double> mass_;  ///< of each element, kg
-  double work_ = 0;           ///< up to the end of the step, J
 };
 
 std::vector<Key> gravity_keys(GravityParameters& p, Reading& /*reading*/) {

@@ -101,7 +101,6 @@ void Grip::advance(Model& model, const Step& step) {
   if (applies_force()) {
     work_ += force_work(model, step.time);
     remember(model, step.time);
-    work_ahead_ = 0;
   }
   const double after = step.time + step.time_step;
   double* carried = model.has(columns::velocity_for_neighbours)
@@ -135,7 +134,6 @@ void Grip::advance(Model& model, const Step& step) {
         if (!is_present(model, elements_[k])) continue;
         const auto i = static_cast<std::size_t>(elements_[k]);
         kick(model, step, i, axis, gain);
-        work_ahead_ += force * mass_[k] / total_mass * (next[i][axis] - positions[i][axis]);
       }
     }
   }
@@ -209,7 +207,7 @@ void Grip::correct_motion(const Model& model, const Vector& grip_force,
 }
 
 void Grip::state(Archive& archive) {
-  archive(work_, last_displacement_, last_position_, last_time_, work_ahead_);
+  archive(work_, last_displacement_, last_position_, last_time_);
 }
 
 namespace {

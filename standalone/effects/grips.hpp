@@ -28,7 +28,8 @@ class Grip : public Effect {
   void advance(Model& model, const Step& step) override;
   /// Velocities of the gripped elements, work, force and displacement of the grip.
   void observe(const Model& model, Observation& observation) const override;
-  double work() const override { return work_ + work_ahead_; }
+  /// About: of the step that was taken last by the forces at its beginning.
+  double work(const Model& model) const override { return work_ + force_work(model, last_time_); }
   void state(Archive& archive) override;
 
   const std::vector<std::int32_t>& elements() const { return elements_; }
@@ -60,7 +61,6 @@ class Grip : public Effect {
   double work_ = 0;                    ///< done up to the last step, but for its second half
   std::vector<Vector> last_position_;  ///< of the elements where it applies a force, a step before
   double last_time_ = 0;               ///< s, of these
-  double work_ahead_ = 0;              ///< of its forces in the step that was taken last, about, J
   std::array<double, 3> last_displacement_{};  ///< of the last step, along imposed axes
 };
 

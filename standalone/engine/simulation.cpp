@@ -277,7 +277,7 @@ Simulation::Motion Simulation::present_motion() const {
     motion.kinetic += 0.5 * dot(v, v) / inverse_mass[i];
   }
   for (const auto& effect : effects_) {
-    motion.work += effect->work();
+    motion.work += effect->work(model_);
     motion.spent += effect->spent(model_);
   }
   return motion;

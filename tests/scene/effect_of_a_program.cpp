@@ -43,9 +43,7 @@ class UniformField : public Effect {
       push(model, step, static_cast<std::int32_t>(i), mass_[i] * field_);
       const Vector moved{after[i][0] - before[i][0], after[i][1] - before[i][1],
                          after[i][2] - before[i][2]};
-      const double done = mass_[i] * dot(field_, moved);
-      work[i] += done;
-      work_ += done;
+      work[i] += mass_[i] * dot(field_, moved);
     }
     ++steps_;
   }
@@ -53,27 +51,24 @@ class UniformField : public Effect {
   void observe(const Model& model, Observation& observation) const override {
     for (std::size_t i = 0; i < model.elements(); ++i)
       observe_push(model, observation, static_cast<std::int32_t>(i), mass_[i] * field_);
-    observation.energies.add(EnergyLedger::Kind::input, "field_work", sum(model));
+    observation.energies.add(EnergyLedger::Kind::input, "field_work", work(model));
     observation.add("steps_in_the_field", static_cast<double>(steps_));
   }
 
-  double work() const override { return work_; }
-  void state(Archive& archive) override { archive(steps_, work_); }
-  void summarise(const Model& model, Summary& summary) const override {
-    summary["field_work"] = sum(model);
-  }
-
- private:
-  static double sum(const Model& model) {
+  double work(const Model& model) const override {
     double sum = 0;
     for (std::size_t i = 0; i < model.elements(); ++i) sum += model.data(fall_work)[i];
     return sum;
   }
+  void state(Archive& archive) override { archive(steps_); }
+  void summarise(const Model& model, Summary& summary) const override {
+    summary["field_work"] = work(model);
+  }
 
+ private:
   Vector field_;
   std::vector<double> mass_;
   std::int64_t steps_ = 0;
-  double work_ = 0;  ///< J, since the start
 };
 
 std::vector<Key> field_keys(FieldParameters& p, Reading& /*reading*/) {
