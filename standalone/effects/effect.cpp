@@ -12,6 +12,13 @@ void EnergyLedger::add(Kind kind, const std::string& name, double energy) {
   accounts_.push_back({kind, name, energy});
 }
 
+double EnergyLedger::stored() const {
+  double sum = 0;
+  for (const Account& account : accounts_)
+    if (account.kind == Kind::stored) sum += account.energy;
+  return sum;
+}
+
 double EnergyLedger::of(const std::string& name) const {
   for (const Account& account : accounts_)
     if (account.name == name) return account.energy;

@@ -39,6 +39,8 @@ class EnergyLedger {
   void add(Kind kind, const std::string& name, double energy);
   /// The energy under a name; 0 where nobody reports it.
   double of(const std::string& name) const;
+  /// All that is stored.
+  double stored() const;
   /// Calls visit(kind, name, energy): all that is stored, then dissipated, then put in.
   template <class Visit>
   void for_each(const Visit& visit) const {

@@ -3,22 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <stdexcept>
+#include <optional>
 #include <utility>
 
 #include "effects/assembly.hpp"
 #include "effects/central_forces.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/mechanics.hpp"
-#include "effects/rupture.hpp"
 #include "engine/gauge.hpp"
 #include "engine/heat.hpp"
 #include "engine/sensors.hpp"
 #include "engine/stability.hpp"
 #include "model/error.hpp"
 #include "output/digest.hpp"
-#include "solve/heat/heat_integrator.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/pieces.hpp"
 
@@ -50,11 +49,6 @@ std::vector<double> marks_of(const Model& model) {
   for (std::size_t k = 0; k < digits.size(); k += piece)
     marks.push_back(static_cast<double>(std::stoul(digits.substr(k, piece), nullptr, 16)));
   return marks;
-}
-
-/// Whether an array holds what no run can go on from.
-bool has_nan(const std::vector<double>& values) {
-  return std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
 }
 
 std::vector<double> densities(const std::vector<Material>& materials,
@@ -102,8 +96,8 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   specimen_marks_ = marks_of(model_);
   // Of bonds that are strained by round-off, with a wide margin.
   if (mechanics_ != nullptr)
-    round_off_energy_ =
-        1e-18 * static_cast<double>(model_.slots().bonds()) * mechanics_->typical_energy(model_);
+    guard_.ignore(1e-18 * static_cast<double>(model_.slots().bonds()) *
+                  mechanics_->typical_energy(model_));
 }
 
 void Simulation::make_effects(Assembly& assembly, Phase first, Phase last) {
@@ -266,8 +260,8 @@ void Simulation::check() const {
   if (heat_ != nullptr) heat_->check(step_, time_);
 }
 
-Simulation::Motion Simulation::present_motion() const {
-  Motion motion{0, 0, initial_energy_};
+EnergyInMotion Simulation::energy_in_motion() const {
+  EnergyInMotion motion{0, 0, initial_energy_};
   const double* velocity = model_.data(columns::velocity);
   const double* inverse_mass = model_.data(columns::inverse_mass);
   for (std::size_t i = 0; i < model_.elements(); ++i) {
@@ -277,20 +271,16 @@ Simulation::Motion Simulation::present_motion() const {
     motion.kinetic += 0.5 * dot(v, v) / inverse_mass[i];
   }
   for (const auto& effect : effects_) {
-    motion.work += effect->work(model_);
+    motion.put_in += effect->work(model_);
     motion.spent += effect->spent(model_);
   }
   return motion;
 }
 
-double Simulation::released_energy() const {
+double Simulation::stored_energy() const {
   Observation now;
   observe(now);
-  double stored = 0;
-  now.energies.for_each([&](EnergyLedger::Kind kind, const std::string&, double energy) {
-    if (kind == EnergyLedger::Kind::stored) stored += energy;
-  });
-  return std::max(0.0, initially_stored_ - stored);
+  return now.energies.stored();
 }
 
 double Simulation::check_stability() const {
@@ -308,37 +298,22 @@ double Simulation::check_stability() const {
                    "is " +
                    text(limit) + " s; " + step_and_limit + "; take a smaller time step");
 
-  // All that moves was paid for: by the start, by the grips or by what was stored. Velocities are
-  // half a step behind and the integrator swings a little about the energy, hence the factor.
-  constexpr double factor = 2;
-  const Motion motion = present_motion();
-  const double largest = std::max(largest_work_, motion.work);
-  double paid = largest;
-  const double moving = motion.kinetic + motion.spent;
-  const bool may_release = mechanics_->releases_energy();
-  if (may_release) paid -= initially_stored_;
-  if (moving <= factor * paid + round_off_energy_) return largest;
-  if (may_release) {
-    // Looking costs as much as some steps: not again before there is more to vouch for.
-    if (moving <= 1.1 * vouched_energy_) return largest;
-    paid += released_energy();
-    if (moving <= factor * paid + round_off_energy_) {
-      vouched_energy_ = moving;
-      return largest;
-    }
-  }
-  throw RunError("the run diverged: " + at_step + "the elements move with " + text(motion.kinetic) +
-                 " J and " + text(motion.spent) + " J went into plastic flow, but no more than " +
-                 text(paid) + " J were ever put in; " + step_and_limit);
+  const EnergyInMotion motion = energy_in_motion();
+  std::function<double()> stored;
+  if (mechanics_->releases_energy()) stored = [this] { return stored_energy(); };
+  if (const std::optional<double> paid = guard_.paid_too_little(motion, stored))
+    throw RunError("the run diverged: " + at_step + "the elements move with " +
+                   text(motion.kinetic) + " J and " + text(motion.spent) +
+                   " J went into plastic flow, but no more than " + text(*paid) +
+                   " J were ever put in; " + step_and_limit);
+  return motion.put_in;
 }
 
 void Simulation::record_initial_energy() {
   Observation start;
   observe(start);
-  initially_stored_ = 0;
-  start.energies.for_each([&](EnergyLedger::Kind kind, const std::string&, double energy) {
-    if (kind == EnergyLedger::Kind::stored) initially_stored_ += energy;
-  });
+  initially_stored_ = start.energies.stored();
+  guard_.start(initially_stored_);
   initial_energy_ = start.motion.kinetic_energy + initially_stored_;
   initial_swing_ = swing_of(start.motion);
 }
@@ -359,7 +334,7 @@ void Simulation::advance(std::int64_t steps) {
   if (step_ == 0 && steps > 0 && mechanics_ != nullptr) record_initial_energy();
   for (std::int64_t n = 0; n < steps; ++n) {
     if (step_ % check_every == 0) {
-      if (mechanics_ != nullptr) largest_work_ = check_stability();
+      if (mechanics_ != nullptr) guard_.note(check_stability());
       if (heat_ != nullptr) heat_->check(step_, time_);
     }
     const double length = next_length();
@@ -412,108 +387,6 @@ HistoryRow Simulation::observe(Observation& observation) const {
                      text(time_step_.value) + " s, stable limit at the start " +
                      text(time_step_.limit) + " s");
   return row;
-}
-
-bool Simulation::changes(const Column& column) const {
-  // Where bonds break and form, whatever belongs to a slot may change, and elements may be removed.
-  return column.dynamic || (find<Rupture>() != nullptr && column.site != Site::conductor);
-}
-
-std::map<std::string, std::vector<double>> Simulation::save() const {
-  std::map<std::string, std::vector<double>> saved;
-  for (const PlannedColumn& planned : plan_.columns) {
-    if (!changes(*planned.column)) continue;
-    const double* data = model_.data(*planned.column);
-    std::vector<double>& values = saved[std::string("column.") + planned.column->name];
-    values.assign(data, data + model_.size(*planned.column));
-    if (has_nan(values))
-      throw RunError("the run diverged: " + std::string(planned.column->name) +
-                     " is not a number at step " + std::to_string(step_) +
-                     "; an earlier checkpoint stays");
-  }
-  for (std::size_t k = 0; k < effects_.size(); ++k) {
-    Archive archive;
-    effects_[k]->state(archive);
-    if (!archive.values().empty()) saved["effect." + plan_.effects[k].name] = archive.values();
-  }
-  saved["initial_energy"] = {initial_energy_, initially_stored_, initial_swing_};
-  saved["largest_work"] = {largest_work_};
-  saved["time_step"] = {time_step_.value};
-  saved["clock"] = {time_, last_length_, static_cast<double>(origin_step_), origin_time_};
-  if (heat_ != nullptr && heat_->integrator() != nullptr)
-    saved["integrator"] = heat_->integrator()->save();
-  saved["specimen"] = specimen_marks_;
-  return saved;
-}
-
-void Simulation::restore(std::int64_t step,
-                         const std::map<std::string, std::vector<double>>& saved) {
-  const auto kept = [&](const std::string& name) -> const std::vector<double>& {
-    const auto found = saved.find(name);
-    if (found == saved.end())
-      throw InputError("the checkpoint has no " + name + ": it is of another scene");
-    return found->second;
-  };
-  const auto number = [&](const std::string& name) {
-    if (kept(name).size() != 1 || !std::isfinite(kept(name)[0]))
-      throw InputError("the checkpoint's " + name + " is no number");
-    return kept(name)[0];
-  };
-  if (step < 0) throw InputError("the checkpoint's step " + std::to_string(step) + " is below 0");
-  if (kept("specimen") != specimen_marks_)
-    throw InputError(
-        "the checkpoint was made of another specimen; resume with the one it began with");
-  if (step_follows_duration()) time_step_.value = number("time_step");
-  if (number("time_step") != time_step_.value)
-    throw InputError("the checkpoint was made with a time step of " + text(number("time_step")) +
-                     " s, the scene asks for " + text(time_step_.value) +
-                     " s; resume with the same");
-  for (const PlannedColumn& planned : plan_.columns) {
-    if (!changes(*planned.column)) continue;
-    const std::vector<double>& values = kept(std::string("column.") + planned.column->name);
-    if (values.size() != model_.size(*planned.column))
-      throw InputError(std::string("the checkpoint's column ") + planned.column->name + " has " +
-                       std::to_string(values.size()) + " values, this specimen needs " +
-                       std::to_string(model_.size(*planned.column)));
-    if (has_nan(values))
-      throw InputError(std::string("the checkpoint's column ") + planned.column->name +
-                       " holds what is not a number");
-    std::copy(values.begin(), values.end(), model_.data(*planned.column));
-  }
-  const auto restore_as = [](const std::string& name, const auto& restore_it) {
-    try {
-      restore_it();
-    } catch (const std::out_of_range& error) {
-      throw InputError("the checkpoint's " + name + " does not fit: " + error.what());
-    }
-  };
-  for (std::size_t k = 0; k < effects_.size(); ++k) {
-    Archive now;
-    effects_[k]->state(now);
-    if (now.values().empty()) continue;
-    const std::string name = "effect." + plan_.effects[k].name;
-    Archive then(kept(name), model_.elements());
-    restore_as(name, [&] {
-      effects_[k]->state(then);
-      if (!then.is_at_end()) throw std::out_of_range("there are more numbers than expected");
-    });
-  }
-  if (heat_ != nullptr && heat_->integrator() != nullptr)
-    restore_as("integrator", [&] { heat_->integrator()->restore(kept("integrator")); });
-  const std::vector<double>& energies = kept("initial_energy");
-  if (energies.size() != 3 || has_nan(energies))
-    throw InputError("the checkpoint's initial_energy does not fit");
-  initial_energy_ = energies[0];
-  initially_stored_ = energies[1];
-  initial_swing_ = energies[2];
-  largest_work_ = number("largest_work");
-  const std::vector<double>& clock = kept("clock");
-  if (clock.size() != 4 || has_nan(clock)) throw InputError("the checkpoint's clock does not fit");
-  time_ = clock[0];
-  last_length_ = clock[1];
-  origin_step_ = static_cast<std::int64_t>(clock[2]);
-  origin_time_ = clock[3];
-  step_ = step;
 }
 
 std::vector<std::string> notes_of(const Simulation& simulation) {

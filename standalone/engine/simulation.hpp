@@ -12,6 +12,7 @@
 #include "effects/plan.hpp"
 #include "effects/selections.hpp"
 #include "effects/setup.hpp"
+#include "engine/energy_guard.hpp"
 
 namespace solidem {
 
@@ -117,15 +118,11 @@ class Simulation {
   /// Length of the next step, s: the last one before the duration may be shorter.
   double next_length() const;
   void finish_step(double length);
-  /// What the balance that stops a diverging run needs to know.
-  struct Motion {
-    double kinetic, spent, work;  ///< J
-  };
-  Motion present_motion() const;
-  /// Energy that has come out of what was stored at the start, J.
-  double released_energy() const;
+  EnergyInMotion energy_in_motion() const;
+  /// J
+  double stored_energy() const;
   /// Throws RunError when the elements move with more energy than was ever put in, or are held more
-  /// stiffly than the time step allows. The most work that was ever in the body, J.
+  /// stiffly than the time step allows. What was put in so far, J.
   double check_stability() const;
   /// ½ m (v² − v₋·v₊) of all that moves, with its velocities half a step before and after, J.
   double swing_of(const ObservedMotion& motion) const;
@@ -156,10 +153,7 @@ class Simulation {
   double initial_energy_ = 0;
   double initially_stored_ = 0;  ///< of it, J
   double initial_swing_ = 0;     ///< J
-  mutable double vouched_energy_ =
-      0;                         ///< of motion, for which what was released was found to suffice, J
-  double largest_work_ = 0;      ///< that was ever in the body, J
-  double round_off_energy_ = 0;  ///< J
+  EnergyGuard guard_;
 };
 
 /// What a user of a simulation should know before it runs: of its effects together, of its body.
