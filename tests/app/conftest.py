@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from scene_parts import ALUMINIUM, HELD, HIGH_END, LOW_END, STIFF_BEAMS, crystal, grip
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -39,27 +40,9 @@ def solidem(tmp_path: Path) -> Program:
     return Program(tmp_path)
 
 
-BAR = """\
-title = "bar"
-[specimen]
-shape = "crystal"
-lattice = "bcc"
-cells = [8, 4, 4]
-element_radius = "0.1 mm"
-[material]
-density = "2790 kg/m^3"
-[beams]
-young_modulus = "3.5 TPa"
-poisson_ratio = 0.3
-radius_ratio = 0.27
-[[grips]]
-name = "left"
-region = { axis = "x", side = "low", layers = 1 }
-displacement = ["0 m", "0 m", "0 m"]
-[[grips]]
-name = "right"
-region = { axis = "x", side = "high", layers = 1 }
-velocity = ["1 m/s", "free", "free"]
+BAR = ('title = "bar"\n' + crystal("bcc", 8, 4, 4) + ALUMINIUM + STIFF_BEAMS
+       + grip("left", LOW_END, HELD)
+       + grip("right", HIGH_END, 'velocity = ["1 m/s", "free", "free"]') + """\
 [gauge]
 axis = "x"
 lower = "0.4 mm"
@@ -74,7 +57,7 @@ time_step_ratio = 0.3
 observe_every = 50
 [output]
 frames = 4
-"""
+""")
 
 
 @pytest.fixture

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
+from scene_parts import (CONDUCTING_ALUMINIUM, HELD, HIGH_END, LOW_END, THICK_BEAMS, crystal,
+                         grip)
 
 if TYPE_CHECKING:
     from conftest import Program
@@ -99,40 +101,15 @@ def test_words_of_the_first_example_are_those_of_the_table() -> None:
     assert f"Poisson ratio of {ratio.value:.2f}" in text.replace("\n# ", " ")
 
 
-HEATED_BAR = """\
-title = "heated bar"
-[specimen]
-shape = "crystal"
-lattice = "bcc"
-cells = [4, 2, 2]
-element_radius = "0.1 mm"
-[material]
-density = "2790 kg/m^3"
-specific_heat_capacity = "880 J/(kg K)"
-conductivity = "134 W/(m K)"
-[conduction]
-initial_temperature = "298 K"
+HEATED_BAR = ('title = "heated bar"\n' + crystal("bcc", 4, 2, 2) + CONDUCTING_ALUMINIUM + f"""\
 [[temperatures]]
 name = "hot"
-region = { axis = "x", side = "high", layers = 1 }
+region = {{ {HIGH_END} }}
 value = "798 K"
 [run]
 steps = 10
-"""
-BEAMS = """\
-[beams]
-young_modulus = "70 GPa"
-poisson_ratio = 0.3
-radius_ratio = 0.5
-[[grips]]
-name = "left"
-region = { axis = "x", side = "low", layers = 1 }
-displacement = ["0 m", "0 m", "0 m"]
-[[grips]]
-name = "right"
-region = { axis = "x", side = "high", layers = 1 }
-displacement = ["0 m", "0 m", "0 m"]
-"""
+""")
+BEAMS = THICK_BEAMS + grip("left", LOW_END, HELD) + grip("right", HIGH_END, HELD)
 
 
 @pytest.mark.parametrize("bonded", [True, False])

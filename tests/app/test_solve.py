@@ -8,36 +8,23 @@ import math
 
 import h5py
 import numpy as np
+from scene_parts import (ALUMINIUM, CONDUCTING_ALUMINIUM, HELD, STIFF_BEAMS, THICK_BEAMS, crystal,
+                         grip)
 
-CANTILEVER = """\
-title = "cantilever"
-[specimen]
-shape = "crystal"
-lattice = "simple_cubic"
-cells = [41, 1, 1]
-element_radius = "0.1 mm"
-[material]
-density = "2790 kg/m^3"
-[beams]
-young_modulus = "3.5 TPa"
-poisson_ratio = 0.3
-radius_ratio = 0.27
-[[grips]]
-name = "clamp"
-region = { axis = "x", side = "low", depth = "0.15 mm" }
-displacement = ["0 m", "0 m", "0 m"]
-[[grips]]
-name = "end"
-region = { axis = "x", side = "high", depth = "0.15 mm" }
+CANTILEVER = (
+    'title = "cantilever"\n' + crystal("simple_cubic", 41, 1, 1) + ALUMINIUM + STIFF_BEAMS
+    + grip("clamp", 'axis = "x", side = "low", depth = "0.15 mm"', HELD)
+    + grip("end", 'axis = "x", side = "high", depth = "0.15 mm"', """\
 force = ["free", { time = ["0 us", "1 us"], value = ["0 N", "1 mN"] }, "free"]
-rotation = "free"
+rotation = "free"\
+""") + """\
 [[sensors]]
 name = "tip"
 point = ["8.1 mm", "0.1 mm", "0.1 mm"]
 quantity = "displacement"
 [run]
 duration = "2 us"
-"""
+""")
 
 LENGTH, RADIUS, MODULUS, FORCE = 8e-3, 0.27e-4, 3.5e12, 1e-3
 BENDING = MODULUS * math.pi * RADIUS**4 / 4
@@ -116,62 +103,28 @@ def test_a_body_that_is_not_held_is_told_how_it_can_move(solidem):
 
 
 def test_without_beams_there_is_nothing_to_solve(solidem):
-    warm = """\
-[specimen]
-shape = "crystal"
-lattice = "simple_cubic"
-cells = [3, 1, 1]
-element_radius = "0.1 mm"
-[material]
-density = "2790 kg/m^3"
-specific_heat_capacity = "880 J/(kg K)"
-conductivity = "134 W/(m K)"
-[conduction]
-initial_temperature = "298 K"
-[run]
-steps = 1
-"""
+    warm = crystal("simple_cubic", 3, 1, 1) + CONDUCTING_ALUMINIUM + "[run]\nsteps = 1\n"
     done = solidem("solve", solidem.scene("warm.toml", warm))
     assert done.returncode == 2
     assert "no [beams]" in done.stderr
 
 
 def test_what_a_run_does_and_a_body_at_rest_does_not_is_noted(solidem):
-    warm = CANTILEVER.replace('density = "2790 kg/m^3"\n', """\
-density = "2790 kg/m^3"
-specific_heat_capacity = "880 J/(kg K)"
-conductivity = "134 W/(m K)"
-[conduction]
-initial_temperature = "298 K"
+    warm = CANTILEVER.replace(ALUMINIUM, CONDUCTING_ALUMINIUM) + """\
 [[initial_velocities]]
 region = { all = true }
 velocity = ["1 m/s", "0 m/s", "0 m/s"]
-""")
+"""
     summary, text = solve(solidem, warm)
     assert "[[initial_velocities]], [conduction]: left out" in summary["notes"][0]
     assert "left out" in text
 
 
-PIECES = """\
-[specimen]
-file = "pieces.csv"
-[material]
-density = "2700 kg/m^3"
-[beams]
-young_modulus = "70 GPa"
-poisson_ratio = 0.3
-radius_ratio = 0.5
-[[grips]]
-name = "low"
-region = { upper = ["1 mm", "any", "any"] }
-displacement = ["0 m", "0 m", "0 m"]
-[[grips]]
-name = "high"
-region = { lower = ["19 mm", "any", "any"] }
-displacement = ["1 um", "0 m", "0 m"]
-[run]
-steps = 10
-"""
+PIECES = ('[specimen]\nfile = "pieces.csv"\n[material]\ndensity = "2700 kg/m^3"\n' + THICK_BEAMS
+          + grip("low", 'upper = ["1 mm", "any", "any"]', HELD)
+          + grip("high", 'lower = ["19 mm", "any", "any"]',
+                 'displacement = ["1 um", "0 m", "0 m"]')
+          + "[run]\nsteps = 10\n")
 
 
 def chain_of(*places):
