@@ -152,10 +152,20 @@ class Rupture:
 
 @dataclass(frozen=True)
 class Contact:
-    """How elements that lost bonds push each other."""
+    """How elements that no bond joins push each other."""
 
-    stiffness_ratio: float = 1.0  #: of E S / l
+    stiffness_ratio: float = 1.0  #: of E S / l, with beams
     rebonding_pressure: float | None = None  #: Pa, above which a new bond is made
+    normal_stiffness: float | None = None  #: k_n of every contact, N/m
+    young_modulus: float | None = None  #: E of k_n = 2 E R_i R_j / (R_i + R_j), Pa
+    tangential_stiffness_ratio: float = 0.8  #: k_t / k_n
+    friction: float = 0.0  #: Coulomb's coefficient
+    restitution: float = 1.0  #: e
+
+    def of_beams_alone(self) -> bool:
+        """Whether contacts are as stiff as bonds, smooth and elastic."""
+        return (self.normal_stiffness is None and self.young_modulus is None
+                and self.friction == 0 and self.restitution == 1)
 
 
 @dataclass(frozen=True)
@@ -244,6 +254,11 @@ class Parameters:
     damage: Damage | None = None
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  #: acceleration of free fall, m/s²
     local_damping: float = 0.0  #: Cundall's coefficient
+
+    @property
+    def is_loose(self) -> bool:
+        """Whether contacts are all that elements do to each other."""
+        return self.contact is not None and self.beams is None and self.central_forces is None
 
     def require_support(self) -> None:
         """PreparedError when the scene asks for what other codes are not given."""
@@ -410,8 +425,13 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
     unsupported: list[str] = []
     if laws.get("conduction"):
         conduction = _conduction(laws["conduction"], unsupported)
-    if explained.get("initial_velocities"):
-        unsupported.append("initial velocities are not understood")
+    contact = _known(Contact, laws.get("contact"))
+    loose = contact is not None and not laws.get("beams") and not laws.get("central_forces")
+    if explained.get("initial_velocities") and not loose:
+        unsupported.append("initial velocities are understood of loose elements alone")
+    if contact is not None and not loose and not contact.of_beams_alone():
+        unsupported.append("[contact] with a stiffness of its own, friction or restitution is "
+                           "understood of loose elements alone")
     unsupported += _unknown_sections(explained.get("effects") or [])
     if (laws.get("damage") or {}).get("free_faces") == "left_out":
         unsupported.append("free faces that are no cracks are not understood")
@@ -435,7 +455,7 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         tuple(unsupported),
         _law_of_bonds(Plasticity, laws.get("plasticity")),
         _law_of_bonds(Rupture, laws.get("rupture")),
-        _known(Contact, laws.get("contact")),
+        contact,
         _known(CentralForces, laws.get("central_forces")),
         _known(Damage, laws.get("damage")),
         _vector(laws.get("gravity", {}).get("acceleration", (0, 0, 0))),

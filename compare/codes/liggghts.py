@@ -17,7 +17,7 @@ from compare.codes.base import ROOT, Job, TwoSpheres, run_program, said_version
 from compare.codes.dump import read_dump, read_rows
 from compare.result import CodeFailure, Floats, Result
 from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, central_lines, full,
-                                     heat_lines, sphere_density, write_data)
+                                     heat_lines, loose_lines, sphere_density, write_data)
 from contrib.prepared import Beams, Parameters, PreparedError, Specimen
 
 BUILD = ROOT / "contrib" / "liggghts" / "build_prebuilt"
@@ -27,7 +27,7 @@ units si
 atom_style hybrid granular molecular
 atom_modify map array sort 0 0.0
 boundary {boundary}
-newton on
+newton {newton}
 communicate single vel yes
 special_bonds lj/coul 1 1 1
 read_data specimen.data
@@ -63,6 +63,8 @@ CENTRAL = {
 
 def _motion_columns(parameters: Parameters) -> dict[str, str]:
     """Those of MOTION or CENTRAL that a scene has, named as the standalone code names them."""
+    if parameters.is_loose:
+        return {"kinetic_energy": "c_speed+c_spin"}
     if forces := parameters.central_forces:
         damage = parameters.damage
         absent = set() if forces.dissipation else {"dissipated_energy"}
@@ -102,6 +104,7 @@ def _imposed_energy(job: Job) -> float:
 def _history_lines(parameters: Parameters, every: int) -> str:
     """Energies, and forces of bonds on the grips, go to history.txt."""
     lines = "compute speed all ke\n" + (
+        "compute spin all erotate/sphere\n" if parameters.is_loose else
         "compute stored all pe pair\n" if parameters.central_forces else
         "compute spin all erotate/sphere\ncompute stored all pe bond\n")
     columns = []
@@ -200,8 +203,8 @@ class Liggghts:
                             r"Version (LIGGGHTS[^,)]+)") + ", with solidem's styles"
 
     def shares_laws(self, parameters: Parameters | None) -> bool:
-        """The styles include solidem's headers."""
-        return True
+        """The styles include solidem's headers; contacts of loose elements are LIGGGHTS' own."""
+        return parameters is None or not parameters.is_loose
 
     def run(self, job: Job, directory: Path) -> Result:
         """Runs a job of beams, of conduction, of both, or of central forces."""
@@ -220,8 +223,10 @@ class Liggghts:
                    sphere_density(specimen, explained))
         script = HEAD.format(
             # Fragments under central forces fly anywhere.
-            boundary=" ".join("p" if p else "s" if parameters.central_forces else "f"
-                              for p in specimen.periodic),
+            boundary=" ".join("p" if p else "f" if parameters.beams or parameters.conduction
+                              else "s" for p in specimen.periodic),
+            # Contacts that remember ask for newton off.
+            newton="off" if parameters.is_loose else "on",
             skin=0.5 * float(specimen.radius.mean()), time_step=parameters.time_step)
         script += "" if parameters.beams else "bond_style none\n"
         columns: dict[str, tuple[str, ...]] = {}
@@ -233,10 +238,11 @@ class Liggghts:
         if parameters.central_forces:
             script += central_lines(specimen, parameters)
             columns |= _damage_columns(parameters)
-        if parameters.beams or parameters.central_forces:
+        if parameters.is_loose:
+            script += loose_lines(specimen, parameters)
+        if parameters.beams or parameters.central_forces or parameters.is_loose:
             script += _history_lines(parameters, job.observe_every)
-            columns["position"] = (("xu", "yu", "zu") if parameters.central_forces
-                                   else ("x", "y", "z"))
+            columns["position"] = (("x", "y", "z") if parameters.beams else ("xu", "yu", "zu"))
         headings = [h for parts in columns.values() for h in parts]
         script += f"dump frames all custom {job.frame_every} frames.dump id {' '.join(headings)}\n"
         script += f'dump_modify frames sort id format "%d{" %.17g" * len(headings)}"\n'
@@ -255,7 +261,7 @@ class Liggghts:
             history = {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
             for number, name in enumerate(_heat_columns(job.parameters)):
                 history[name] = rows[:, 1 + number] + _heat_of_the_start(job, name)
-        if not job.parameters.beams and not job.parameters.central_forces:
+        if not (job.parameters.beams or job.parameters.central_forces or job.parameters.is_loose):
             return history
         rows = read_rows(directory / "history.txt", self.name)
         history |= {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
@@ -279,7 +285,8 @@ class Liggghts:
         write_data(directory / "specimen.data", specimen, specimen.pairs, np.ones(2))
         beams = Beams(spheres.young_modulus, spheres.shear_modulus, 1.0, "mean",
                       spheres.beam_radius, spheres.law, spheres.shear_coefficient)
-        script = HEAD.format(boundary="f f f", skin=spheres.radius, time_step=1e-12)
+        script = HEAD.format(boundary="f f f", newton="on", skin=spheres.radius,
+                             time_step=1e-12)
         # The first run lets the bond see its rest length; then each place is a step of its own, for
         # a bond flows once a step.
         script += (f"bond_style solidem/beam\nbond_coeff 1 {bond_words(beams, spheres.plasticity)}\n"

@@ -52,6 +52,10 @@ def write_data(path: Path, specimen: Specimen, pairs: Integers, density: Floats)
         for n, (x, r, d) in enumerate(zip(specimen.position, specimen.radius, density)):
             words = " ".join(map(full, (*x, 2 * r, d)))
             file.write(f"{n + 1} 1 {words} 1\n")
+        if "mechanics/velocity" in specimen.columns:
+            file.write("\nVelocities\n\n")
+            for n, v in enumerate(specimen.column("mechanics/velocity")):
+                file.write(f"{n + 1} {' '.join(map(full, v))} 0 0 0\n")
         if bonds:
             file.write("\nBonds\n\n")
             for n, (i, j) in enumerate(pairs + 1):
@@ -60,7 +64,7 @@ def write_data(path: Path, specimen: Specimen, pairs: Integers, density: Floats)
 
 def bonds_of(specimen: Specimen, parameters: Parameters) -> Integers:
     """Pairs that are bonds in LIGGGHTS: beams and conductors, which must be the same."""
-    if parameters.central_forces:
+    if parameters.central_forces or parameters.is_loose:
         return np.zeros((0, 2), dtype=np.int64)
     if parameters.beams and parameters.conduction and not np.array_equal(specimen.conductors,
                                                                          specimen.pairs):
@@ -168,6 +172,34 @@ def beam_lines(specimen: Specimen, parameters: Parameters) -> str:
     held = " ".join(f"grip{number}" for number in range(len(parameters.grips)))
     lines += f"group free subtract all {held}\n" if held else ""
     return lines + f"fix motion {'free' if held else 'all'} nve/solidem\n"
+
+
+def contact_stiffness(specimen: Specimen, contact: Contact) -> float:
+    """k_n, N/m, which LIGGGHTS' linear law has once for all pairs of a type."""
+    if contact.normal_stiffness is not None:
+        return contact.normal_stiffness
+    radius = specimen.radius
+    if contact.young_modulus is None or np.ptp(radius) > 1e-12 * radius.max():
+        raise PreparedError("[contact]: LIGGGHTS' linear law takes one stiffness for all pairs; give "
+                            "normal_stiffness, or elements of one radius")
+    return contact.young_modulus * float(radius[0])
+
+
+def loose_lines(specimen: Specimen, parameters: Parameters) -> str:
+    """The commands for loose elements: LIGGGHTS' own linear spring with Coulomb friction."""
+    parameters.require_support()
+    contact = parameters.contact
+    if contact is None or contact.restitution != 1 or parameters.grips:
+        raise PreparedError("loose elements without grips, and with restitution = 1, are understood")
+    normal = contact_stiffness(specimen, contact)
+    numbers = {"kn": normal, "kt": contact.tangential_stiffness_ratio * normal, "gamman": 0.0,
+               "gammat": 0.0, "coefficientFriction": contact.friction}
+    lines = f"neighbor {full(0.2 * float(specimen.radius.mean()))} nsq\n"
+    lines += "neigh_modify delay 0 every 1 check yes once no\n"
+    for name, value in numbers.items():
+        lines += f"fix {name} all property/global {name} peratomtypepair 1 {full(value)}\n"
+    lines += "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n"
+    return lines + field_lines(parameters) + "fix motion all nve/sphere\n"
 
 
 def field_lines(parameters: Parameters) -> str:

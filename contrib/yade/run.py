@@ -66,6 +66,12 @@ def _scene(specimen: Specimen, parameters: Parameters, law: str):
         if _default_law(parameters) == "scripted":
             raise SystemExit("run.py: beams that flow or break need --law scripted")
         return BeamScene(specimen, parameters, incremental=law == "incremental")
+    if parameters.is_loose:
+        from loose_grains import LooseGrainScene
+
+        if law != "native":
+            raise SystemExit("run.py: loose elements need --law native")
+        return LooseGrainScene(specimen, parameters)
     if parameters.conduction and law == "scripted":
         from scripted_heat import ScriptedHeatScene
 
@@ -74,7 +80,7 @@ def _scene(specimen: Specimen, parameters: Parameters, law: str):
         from heat import HeatScene
 
         return HeatScene(specimen, parameters)
-    raise SystemExit("run.py: the scene has neither beams nor conduction nor central forces")
+    raise SystemExit("run.py: the scene has neither beams nor conduction, central forces nor contact")
 
 
 def main() -> None:

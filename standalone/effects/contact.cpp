@@ -3,331 +3,465 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
-#include "effects/assembly.hpp"
-#include "effects/effect_kind.hpp"
 #include "effects/push.hpp"
-#include "keys/rules.hpp"
+#include "effects/selections.hpp"
 #include "laws/contact.hpp"
-#include "neighbours/linked_cells.hpp"
+#include "model/blocks.hpp"
+#include "model/error.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
 namespace {
 
-/// Place of an element in a buffer of poses.
-Vector centre_of(const double* pose, std::int32_t element) {
-  const double* row = pose + std::ptrdiff_t{8} * element;
-  return {row[0], row[1], row[2]};
+constexpr std::size_t contacts_a_block = 512, elements_a_block = 256;
+constexpr double round_off = 1e-9;  // of the radii: not an overlap
+
+/// From the first to the second, or the nearest of its images.
+Vector nearest_chord(const Model& model, Pair pair) {
+  const double *i = model.positions()[static_cast<std::size_t>(pair.i)],
+               *j = model.positions()[static_cast<std::size_t>(pair.j)];
+  Vector chord{j[0] - i[0], j[1] - i[1], j[2] - i[2]};
+  const Domain& domain = model.specimen().domain;
+  const Vector extent = domain.upper - domain.lower;
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.periodic[static_cast<std::size_t>(axis)])
+      component(chord, axis) -= component(extent, axis) *
+                                std::nearbyint(component(chord, axis) / component(extent, axis));
+  return chord;
 }
 
-/// Pairs whose bonds broke after so many had.
-std::set<Pair> broken_since(const std::vector<BrokenBond>& broken, std::size_t count) {
-  std::set<Pair> pairs;
-  for (std::size_t k = count; k < broken.size(); ++k) pairs.insert(broken[k].pair);
-  return pairs;
+/// Where the elements stood before they moved.
+const double* poses_before(Model& model) {
+  return model.has(columns::last_pose) ? model.data(columns::last_pose) : model.next(columns::pose);
 }
 
 }  // namespace
 
-ElementContacts::ElementContacts(const ContactParameters& parameters, double rebonding_strain,
-                                 const Beams& beams, Rupture& rupture, Model& model)
+ElementContacts::ElementContacts(const ContactParameters& parameters, const ContactLaw& law,
+                                 double rebonding_strain, const Beams* beams, Rupture* rupture,
+                                 Model& model)
     : parameters_(parameters),
+      law_(law),
       rebonding_strain_(rebonding_strain),
+      damping_ratio_(restitution_damping_ratio(law.restitution)),
       beams_(beams),
       rupture_(rupture),
       model_(model),
-      bonded_(model.elements(), 0.0) {
-  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (i > j) return;
-    const Beams::Bond bond = beams_.bond(model, i, j, row, lane);
-    add_stiffness(bonded_, {i, j}, bond.rigidity().axial / bond.rest_length());
-  });
-  stiffness_at_start_ = largest_stiffness_ = largest_over_mass(bonded_);
+      has_rotation_(law.friction > 0),
+      list_(model),
+      bonded_(stiffness_of_bonds()) {
+  const double longest = longest_time_step();
+  stiffness_at_start_ = std::max(largest_over_mass(bonded_), 2 / (longest * longest));
+  largest_stiffness_ = stiffness_at_start_;
 }
 
-Vector ElementContacts::chord(const Candidate& candidate) const {
-  const double* pose = model_.data(columns::pose);
-  return centre_of(pose, candidate.pair.j) - centre_of(pose, candidate.pair.i) + candidate.shift;
-}
-
-bool ElementContacts::is_pressed(const Candidate& candidate, const Vector& chord) {
-  return !candidate.is_new && dot(chord, chord) < candidate.distance * candidate.distance;
-}
-
-void ElementContacts::settle_new() {
-  for (Candidate& candidate : candidates_) {
-    if (!candidate.is_new) continue;
-    candidate.is_new = false;
-    if (const double now = norm(chord(candidate)); now < candidate.distance)
-      candidate.distance = nearer_[candidate.pair] = now;
+void ElementContacts::follow(const std::vector<Grip*>& grips) {
+  for (const Grip* grip : grips) {
+    imposed_.resize(model_.elements(), 0);
+    for (const std::int32_t element : grip->elements())
+      for (int axis = 0; axis < 3; ++axis)
+        if (grip->imposed(axis))
+          imposed_[static_cast<std::size_t>(element)] |= static_cast<char>(1 << axis);
   }
 }
 
-bool ElementContacts::must_search(const double* pose) const {
-  if (rupture_.broken().size() != broken_then_) return true;
-  // Two elements that move towards each other close the skin together.
-  const double allowed = 0.25 * skin_ * skin_;
-  for (std::size_t k = 0; k < surface_elements_.size(); ++k) {
-    const Vector moved = centre_of(pose, surface_elements_[k]) - searched_at_[k];
-    if (dot(moved, moved) > allowed) return true;
-  }
-  return false;
+void ElementContacts::start(const Model& /*model*/, double /*duration*/) {
+  list_contacts();
+  if (law_.initial_overlap == ContactLaw::InitialOverlap::refused) refuse_overlaps();
+  find_forces(0);
 }
 
-void ElementContacts::search(const double* pose) {
-  const Specimen& specimen = model_.specimen();
-  std::map<Pair, const BrokenBond*> once_bonded;
-  const std::set<Pair> broke_now = broken_since(rupture_.broken(), broken_then_);
-  surface_elements_.clear();
-  for (const BrokenBond& bond : rupture_.broken()) {
-    if (rupture_.is_removed(bond.pair.i) || rupture_.is_removed(bond.pair.j)) continue;
-    once_bonded[bond.pair] = &bond;
-    surface_elements_.insert(surface_elements_.end(), {bond.pair.i, bond.pair.j});
+void ElementContacts::refuse_overlaps() const {
+  const std::vector<std::int32_t> piece =
+      lowest_of_piece(model_.elements(), model_.slots().pairs());
+  const std::vector<double>& radius = model_.specimen().radius;
+  std::size_t count = 0;
+  double deepest = 0, share = 0;
+  Pair where{0, 0};
+  for (const auto& [pair, distance] : nearer_) {
+    const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+    const double depth = radius[i] + radius[j] - distance;
+    if (piece[i] == piece[j] || !(depth > round_off * (radius[i] + radius[j]))) continue;
+    ++count;
+    if (!(depth > deepest)) continue;
+    deepest = depth;
+    share = depth / std::min(radius[i], radius[j]);
+    where = pair;
   }
-  std::sort(surface_elements_.begin(), surface_elements_.end());
-  surface_elements_.erase(std::unique(surface_elements_.begin(), surface_elements_.end()),
-                          surface_elements_.end());
-  broken_then_ = rupture_.broken().size();
-  const std::vector<Candidate> before = std::move(candidates_);
-  const auto was_candidate = [&before](const Pair& pair) {
-    const auto at = std::lower_bound(
-        before.begin(), before.end(), pair,
-        [](const Candidate& candidate, const Pair& p) { return candidate.pair < p; });
-    return at != before.end() && at->pair == pair;
+  if (count == 0) return;
+  throw InputError(
+      "[contact] elements " + std::to_string(where.i) + " and " + std::to_string(where.j) +
+      " overlap by " + text(deepest) + " m at the start, " + text(100 * share) +
+      " % of the smaller radius" +
+      (count > 1 ? ", and so do " + std::to_string(count - 1) + " more pairs, less deeply" : "") +
+      "; expected bodies that stand apart, or initial_overlap = \"kept\": then they "
+      "touch where they stand");
+}
+
+double ElementContacts::section(Pair pair, const Vector& chord) const {
+  if (const BrokenBond* bond = broken_bond(pair)) return bond->section;
+  const std::vector<double>& radius = model_.specimen().radius;
+  return beam_area(beams_->properties().section(radius[static_cast<std::size_t>(pair.i)],
+                                                radius[static_cast<std::size_t>(pair.j)], chord));
+}
+
+double ElementContacts::stiffness(Pair pair, const Vector& chord) const {
+  const std::vector<double>& radius = model_.specimen().radius;
+  const double r_i = radius[static_cast<std::size_t>(pair.i)],
+               r_j = radius[static_cast<std::size_t>(pair.j)];
+  if (law_.normal_stiffness) return *law_.normal_stiffness;
+  if (law_.young_modulus) return 2 * *law_.young_modulus * r_i * r_j / (r_i + r_j);
+  if (const BrokenBond* bond = broken_bond(pair))
+    return parameters_.stiffness_ratio * bond->axial_stiffness;
+  const BeamSection<double> beam = beams_->properties().section(r_i, r_j, chord);
+  return parameters_.stiffness_ratio * beam.young_modulus * beam_area(beam) / (r_i + r_j);
+}
+
+double ElementContacts::inverse_mass(const double* column, std::int32_t element) const {
+  constexpr char all_axes = 7;
+  const auto i = static_cast<std::size_t>(element);
+  return !imposed_.empty() && imposed_[i] == all_axes ? 0 : column[i];
+}
+
+double ElementContacts::damping(Pair pair, double stiffness) const {
+  const double* column = model_.data(columns::inverse_mass);
+  const double inverse = inverse_mass(column, pair.i) + inverse_mass(column, pair.j);
+  return inverse > 0 ? damping_coefficient(damping_ratio_, stiffness, inverse) : 0;
+}
+
+const BrokenBond* ElementContacts::broken_bond(Pair pair) const {
+  if (broken_.empty()) return nullptr;
+  const auto found = broken_.find(pair);
+  return found == broken_.end() ? nullptr : &rupture_->broken()[found->second];
+}
+
+ContactCandidate ElementContacts::candidate(Pair pair, const Vector& chord, bool is_reached_now) {
+  const std::vector<double>& radius = model_.specimen().radius;
+  const double stiff = stiffness(pair, chord);
+  double distance =
+      radius[static_cast<std::size_t>(pair.i)] + radius[static_cast<std::size_t>(pair.j)];
+  if (const BrokenBond* bond = broken_bond(pair)) {
+    distance = bond->contact_distance(stiff);
+  } else if (const auto known = nearer_.find(pair); known != nearer_.end()) {
+    distance = known->second;
+  } else if (const double now = norm(chord); is_reached_now && now < distance) {
+    distance = nearer_[pair] = now;
+  }
+  return {pair, {}, distance, stiff, damping(pair, stiff)};
+}
+
+void ElementContacts::list_contacts() {
+  const std::vector<History> history = std::move(history_);
+  const std::vector<Load> load = std::move(load_);
+  const std::vector<char> acts = std::move(acts_);
+  history_.clear();
+  load_.clear();
+  acts_.clear();
+  const auto enter = [this](const History& past, const Load& last, char act) {
+    history_.push_back(past);
+    load_.push_back(last);
+    acts_.push_back(act);
   };
-  for (const Candidate& candidate : before)
-    if (rupture_.is_removed(candidate.pair.i) || rupture_.is_removed(candidate.pair.j))
-      hand_over(candidate, 1);
-  candidates_.clear();
-  searched_at_.clear();
-  if (surface_elements_.empty()) return;
+  list_.renew(
+      [&](Pair pair, const Vector& chord, bool is_new) {
+        enter({}, {}, 0);
+        return candidate(pair, chord, is_new);
+      },
+      [&](std::size_t then) { enter(history[then], load[then], acts[then]); });
+}
 
-  double largest = 0;
-  CellBox box{centre_of(pose, surface_elements_[0]), centre_of(pose, surface_elements_[0]),
-              specimen.domain.periodic};
-  for (const std::int32_t e : surface_elements_) {
-    const Vector at = centre_of(pose, e);
-    searched_at_.push_back(at);
-    largest = std::max(largest, specimen.radius[static_cast<std::size_t>(e)]);
-    for (int axis = 0; axis < 3; ++axis) {
-      component(box.lower, axis) = std::min(component(box.lower, axis), component(at, axis));
-      component(box.upper, axis) = std::max(component(box.upper, axis), component(at, axis));
+void ElementContacts::fill_rows(double time_step) {
+  if (rows_.size() == 0) rows_ = Buffer<double>(8 * model_.elements());
+  const double* velocity = model_.data(columns::velocity);
+  const double* spin = has_rotation_ ? model_.data(columns::angular_velocity) : nullptr;
+  const double* inverse = model_.data(columns::inverse_mass);
+  const double *pose = model_.data(columns::pose), *before = poses_before(model_);
+  const std::vector<double>& radius = model_.specimen().radius;
+  const std::vector<std::int32_t>& elements = list_.elements();
+  for_blocks(elements.size() / elements_a_block + 1, 8, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first * elements_a_block;
+         n < std::min(elements.size(), last * elements_a_block); ++n) {
+      const auto i = static_cast<std::size_t>(elements[n]);
+      const std::size_t at = Model::at(columns::velocity, i);
+      Vector v = lanes_vector(velocity, at);
+      if (!imposed_.empty() && time_step > 0)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          if ((imposed_[i] >> axis & 1) != 0)
+            component(v, static_cast<int>(axis)) =
+                (pose[8 * i + axis] - before[8 * i + axis]) / time_step;
+      const Vector w = spin != nullptr ? lanes_vector(spin, at) : Vector{};
+      const double row[] = {v.x, v.y, v.z, inverse_mass(inverse, elements[n]),
+                            w.x, w.y, w.z, radius[i]};
+      std::copy_n(row, 8, rows_.data() + 8 * i);
     }
-  }
-  skin_ = 0.5 * largest;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (box.periodic[static_cast<std::size_t>(axis)]) {
-      component(box.lower, axis) = component(specimen.domain.lower, axis);
-      component(box.upper, axis) = component(specimen.domain.upper, axis);
-    } else {
-      component(box.lower, axis) -= largest;
-      component(box.upper, axis) += largest;
-    }
-  }
-  LinkedCells cells(box, 2 * largest + skin_, surface_elements_.size());
-  cells.sort(searched_at_);
-  cells.for_each_pair(0, cells.cell_count(), [&](std::int32_t a, std::int32_t b, Vector to) {
-    std::int32_t i = surface_elements_[static_cast<std::size_t>(a)],
-                 j = surface_elements_[static_cast<std::size_t>(b)];
-    if (i > j) {
-      std::swap(i, j);
-      to = -to;
-    }
-    const auto n = static_cast<std::size_t>(i), m = static_cast<std::size_t>(j);
-    const double radii = specimen.radius[n] + specimen.radius[m];
-    if (dot(to, to) > (radii + skin_) * (radii + skin_) || model_.slots().find(i, j)) return;
-    Candidate candidate{{i, j}, radii, 0, 0, {}, false};
-    if (const auto found = once_bonded.find({i, j}); found != once_bonded.end()) {
-      const BrokenBond& bond = *found->second;
-      candidate.stiffness = parameters_.stiffness_ratio * bond.axial_stiffness;
-      candidate.distance = bond.contact_distance(candidate.stiffness);
-      candidate.section = bond.section;
-    } else {
-      const BeamSection<double> section =
-          beams_.properties().section(specimen.radius[n], specimen.radius[m], to);
-      candidate.section = beam_area(section);
-      candidate.stiffness =
-          parameters_.stiffness_ratio * section.young_modulus * candidate.section / radii;
-      if (const auto known = nearer_.find({i, j}); known != nearer_.end())
-        candidate.distance = known->second;
-      else
-        candidate.is_new = !was_candidate({i, j});
-    }
-    candidate.shift = to - (centre_of(pose, j) - centre_of(pose, i));
-    if (!specimen.domain.is_periodic()) candidate.shift = {};
-    // A bond that breaks while pressed hands on what the contact holds.
-    if (broke_now.count({i, j}) > 0) hand_over(candidate, -1);
-    candidates_.push_back(candidate);
   });
-  std::sort(candidates_.begin(), candidates_.end(),
-            [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
-  measure_stiffness();
 }
 
-void ElementContacts::hand_over(const Candidate& candidate, double sign) {
-  const Vector to = chord(candidate);
-  if (!is_pressed(candidate, to)) return;
-  rupture_.lose(candidate.pair, sign * contact_energy(candidate.stiffness, candidate.distance, to),
-                {sign * contact_force(candidate.stiffness, candidate.distance, to), {}, {}});
+void ElementContacts::find_force(const Motion& motion, std::size_t k, Sums& sums) {
+  const ContactCandidate& candidate = list_.candidates()[k];
+  const Vector to = list_.chord(motion.pose, candidate);
+  const double square = dot(to, to);
+  const bool touches = square < candidate.distance * candidate.distance;
+  if (!touches && acts_[k] == 0) return;
+  const double* row_i = motion.rows + std::ptrdiff_t{8} * candidate.pair.i;
+  const double* row_j = motion.rows + std::ptrdiff_t{8} * candidate.pair.j;
+  const double length = std::sqrt(square + tiny_square<double>);
+  const Vector normal = (1 / length) * to;
+  const double arm_i = 0.5 * (length + row_i[7] - row_j[7]),
+               arm_j = 0.5 * (length + row_j[7] - row_i[7]);
+  const Vector spin_i{row_i[4], row_i[5], row_i[6]}, spin_j{row_j[4], row_j[5], row_j[6]};
+  const Vector velocity_i = Vector{row_i[0], row_i[1], row_i[2]} + arm_i * cross(spin_i, normal);
+  const Vector velocity_j = Vector{row_j[0], row_j[1], row_j[2]} - arm_j * cross(spin_j, normal);
+  const ContactResponse<double> response = linear_contact<double>(
+      {candidate.stiffness, law_.tangential_stiffness_ratio * candidate.stiffness, law_.friction,
+       candidate.damping, row_i[3] + row_j[3]},
+      {normal, candidate.distance - length, velocity_j - velocity_i,
+       0.5 * dot(spin_i + spin_j, normal), motion.time_step},
+      history_[k]);
+  static_cast<ContactHistory<double>&>(history_[k]) = response.history;
+  load_[k] = {response.force, cross(normal, response.force), arm_i, arm_j};
+  acts_[k] = touches ? 1 : 0;
+  sums.friction += response.friction_work;
+  sums.damped += response.damping_work;
+  if (touches) ++sums.acting;
 }
 
-void ElementContacts::measure_stiffness() {
-  const std::vector<BrokenBond>& broken = rupture_.broken();
-  for (; subtracted_ < broken.size(); ++subtracted_)
-    add_stiffness(bonded_, broken[subtracted_].pair, -broken[subtracted_].axial_stiffness);
-  std::vector<double> now = bonded_;
-  for (const Candidate& candidate : candidates_) {
-    if (is_pressed(candidate, chord(candidate)))
-      add_stiffness(now, candidate.pair, candidate.stiffness);
+void ElementContacts::find_forces(double time_step) {
+  fill_rows(time_step);
+  const Motion motion{model_.data(columns::pose), rows_.data(), time_step};
+  const std::size_t blocks = acts_.size() / contacts_a_block + 1;
+  std::vector<Sums> parts(blocks);
+  for_blocks(blocks, 4, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block) {
+      Sums sums;
+      const std::size_t end = std::min(acts_.size(), (block + 1) * contacts_a_block);
+      for (std::size_t k = block * contacts_a_block; k < end; ++k) find_force(motion, k, sums);
+      parts[block] = sums;
+    }
+  });
+  acting_ = 0;
+  for (const Sums& part : parts) {
+    friction_ += part.friction;
+    damped_ += part.damped;
+    acting_ += part.acting;
   }
-  largest_stiffness_ = std::max(largest_stiffness_, largest_over_mass(now));
 }
 
-void ElementContacts::add_stiffness(std::vector<double>& sums, const Pair& pair,
-                                    double stiffness) const {
+void ElementContacts::look(const Step& step) {
+  const bool outdated = list_.is_outdated();
+  if (outdated) list_contacts();
+  if (!outdated && acting_ == 0 && !list_.may_touch()) return;
+  find_forces(step.time_step);
+  if (outdated) largest_stiffness_ = std::max(largest_stiffness_, present_stiffness());
+}
+
+BeamLoad<double> ElementContacts::load(std::size_t k) const {
+  const Load& load = load_[k];
+  if (!has_rotation_) return {load.force, {}, {}};
+  return {load.force, load.arm_i * load.moment, load.arm_j * load.moment};
+}
+
+BeamLoad<double> ElementContacts::sum_on(std::size_t exposed) const {
+  BeamLoad<double> sum{};
+  list_.for_each_side(exposed, [&](const ContactList::Side& side) {
+    if (acts_[side.candidate] == 0) return;
+    const Load& load = load_[side.candidate];
+    sum.force += side.is_first ? load.force : -load.force;
+    sum.moment_i += (side.is_first ? load.arm_i : load.arm_j) * load.moment;
+  });
+  return sum;
+}
+
+double ElementContacts::stored(std::size_t k) const {
+  const ContactCandidate& candidate = list_.candidates()[k];
+  const double depth = candidate.distance - (load_[k].arm_i + load_[k].arm_j);
+  const Vector& spring = history_[k].spring;
+  return 0.5 * candidate.stiffness *
+         (depth * depth + law_.tangential_stiffness_ratio * dot(spring, spring));
+}
+
+void ElementContacts::advance(Model& model, const Step& step) {
+  if (rupture_ != nullptr) follow_ruptures();
+  if (acting_ == 0) return;
+  const std::vector<std::int32_t>& elements = list_.elements();
+  const Pushes pushes(model, step);
+  for_blocks(elements.size() / elements_a_block + 1, 8, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first * elements_a_block;
+         n < std::min(elements.size(), last * elements_a_block); ++n) {
+      const BeamLoad<double> sum = sum_on(n);
+      const auto i = static_cast<std::size_t>(elements[n]);
+      pushes.push(i, sum.force);
+      if (has_rotation_) pushes.twist(i, sum.moment_i);
+    }
+  });
+  if (parameters_.rebonding_pressure)
+    for (std::size_t k = 0; k < acts_.size(); ++k)
+      if (acts_[k] != 0) bond_anew(k);
+}
+
+void ElementContacts::observe(const Model& model, Observation& observation) const {
+  double energy = 0;
+  for (std::size_t k = 0; k < acts_.size(); ++k)
+    if (acts_[k] != 0) energy += stored(k);
+  for (std::size_t n = 0; n < list_.elements().size() && acting_ > 0; ++n) {
+    const BeamLoad<double> sum = sum_on(n);
+    observe_push(model, observation, list_.elements()[n], sum.force);
+    if (has_rotation_) observe_twist(model, observation, list_.elements()[n], sum.moment_i);
+  }
+  using Kind = EnergyLedger::Kind;
+  observation.energies.add(Kind::stored, "contact_energy", energy);
+  if (has_rotation_) observation.energies.add(Kind::dissipated, "friction", friction_);
+  if (damping_ratio_ > 0) observation.energies.add(Kind::dissipated, "contact_damping", damped_);
+  observation.add("contacts", static_cast<double>(acting_));
+  if (parameters_.rebonding_pressure)
+    observation.add("bonds_formed", static_cast<double>(bonded_anew_));
+}
+
+void ElementContacts::follow_ruptures() {
+  const std::vector<BrokenBond>& broken = rupture_->broken();
+  if (rupture_->removed() != removed_seen_) {
+    removed_seen_ = rupture_->removed();
+    for (std::size_t k = 0; k < acts_.size(); ++k) {
+      const Pair& pair = list_.candidates()[k].pair;
+      if (rupture_->is_removed(pair.i) || rupture_->is_removed(pair.j)) lose_contact(k);
+    }
+    std::vector<std::int32_t> removed;
+    for (const std::int32_t element : list_.elements())
+      if (rupture_->is_removed(element)) removed.push_back(element);
+    list_.withdraw(removed);
+  }
+  if (broken.size() == broken_seen_) return;
+  std::vector<std::int32_t> exposed;
+  for (; broken_seen_ < broken.size(); ++broken_seen_) {
+    const BrokenBond& bond = broken[broken_seen_];
+    add_stiffness(bonded_, bond.pair, -bond.axial_stiffness);
+    if (rupture_->is_removed(bond.pair.i) || rupture_->is_removed(bond.pair.j)) continue;
+    broken_[bond.pair] = broken_seen_;
+    exposed.insert(exposed.end(), {bond.pair.i, bond.pair.j});
+    take_over(bond);
+  }
+  list_.expose(exposed);
+  // A bond that broke in this step acted once more: its elements touch from the next pose on.
+  list_.outdate();
+}
+
+void ElementContacts::take_over(const BrokenBond& bond) {
+  const Vector to = nearest_chord(model_, bond.pair);
+  const double stiff = stiffness(bond.pair, to), distance = bond.contact_distance(stiff);
+  if (!(norm(to) < distance)) return;
+  rupture_->lose(bond.pair, -contact_energy(stiff, distance, to),
+                 {-contact_force(stiff, distance, to), {}, {}});
+}
+
+void ElementContacts::lose_contact(std::size_t k) {
+  if (acts_[k] != 0) rupture_->lose(list_.candidates()[k].pair, stored(k), load(k));
+}
+
+void ElementContacts::bond_anew(std::size_t k) {
+  const ContactCandidate& contact = list_.candidates()[k];
+  const Vector to = list_.chord(contact);
+  const double push = -dot(load_[k].force, history_[k].normal);
+  if (!(push > *parameters_.rebonding_pressure * section(contact.pair, to))) return;
+  const auto [i, j] = contact.pair;
+  // Where all places are taken they go on pushing.
+  if (!model_.make_bond(contact.pair, norm(to))) return;
+  lose_contact(k);
+  const auto here = model_.slots().find(i, j), there = model_.slots().find(j, i);
+  beams_->bind(model_, i, j, here->row, here->lane, to);
+  beams_->bind(model_, j, i, there->row, there->lane, -to);
+  const Beams::Bond bond = beams_->bond(model_, i, j, here->row, here->lane);
+  add_stiffness(bonded_, contact.pair, bond.rigidity().axial / bond.rest_length());
+  ++bonded_anew_;
+  list_.outdate();
+}
+
+double ElementContacts::stiffness_with_friction() const {
+  // A sphere turns as easily as it moves: m R² / J = 5/2 of its tangential stiffness adds.
+  return has_rotation_ ? std::max(1.0, 3.5 * law_.tangential_stiffness_ratio) : 1;
+}
+
+std::vector<double> ElementContacts::stiffness_of_bonds() const {
+  std::vector<double> sums(model_.elements(), 0.0);
+  if (beams_ == nullptr) return sums;
+  model_.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+    if (i > j) return;
+    const Beams::Bond bond = beams_->bond(model_, i, j, row, lane);
+    add_stiffness(sums, {i, j}, bond.rigidity().axial / bond.rest_length());
+  });
+  return sums;
+}
+
+void ElementContacts::add_stiffness(std::vector<double>& sums, Pair pair, double stiffness) const {
   sums[static_cast<std::size_t>(pair.i)] += stiffness;
   sums[static_cast<std::size_t>(pair.j)] += stiffness;
 }
 
 double ElementContacts::largest_over_mass(const std::vector<double>& sums) const {
-  const double* inverse_mass = model_.data(columns::inverse_mass);
+  const double* inverse = model_.data(columns::inverse_mass);
   double largest = 0;
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    largest = std::max(largest, inverse_mass[i] * sums[i]);
+  for (std::size_t i = 0; i < sums.size(); ++i) largest = std::max(largest, inverse[i] * sums[i]);
   return largest;
 }
 
-void ElementContacts::advance(Model& model, const Step& step) {
-  if (rupture_.broken().empty()) return;
-  settle_new();
-  std::vector<Candidate> pressed;
-  for (const Candidate& candidate : candidates_) {
-    const Vector to = chord(candidate);
-    if (!is_pressed(candidate, to)) continue;
-    const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
-    push(model, step, candidate.pair.i, force);
-    push(model, step, candidate.pair.j, -force);
-    if (parameters_.rebonding_pressure &&
-        norm(force) > *parameters_.rebonding_pressure * candidate.section)
-      pressed.push_back(candidate);
-  }
-  for (const Candidate& candidate : pressed) bond_anew(candidate);
-  // A bond that broke in this step acted once more: its elements touch from the next pose on.
-  const double* next = model.next(columns::pose);
-  if (!pressed.empty() || must_search(next)) search(next);
+double ElementContacts::present_stiffness() const {
+  std::vector<double> now = bonded_;
+  for (std::size_t k = 0; k < acts_.size(); ++k)
+    if (acts_[k] != 0)
+      add_stiffness(now, list_.candidates()[k].pair,
+                    stiffness_with_friction() * list_.candidates()[k].stiffness);
+  return largest_over_mass(now);
 }
 
-void ElementContacts::bond_anew(const Candidate& candidate) {
-  const auto [i, j] = candidate.pair;
-  const Vector to = chord(candidate);
-  // Where all places are taken they go on pushing.
-  if (!model_.make_bond(candidate.pair, norm(to))) return;
-  hand_over(candidate, 1);
-  const auto here = model_.slots().find(i, j), there = model_.slots().find(j, i);
-  beams_.bind(model_, i, j, here->row, here->lane, to);
-  beams_.bind(model_, j, i, there->row, there->lane, -to);
-  const Beams::Bond bond = beams_.bond(model_, i, j, here->row, here->lane);
-  add_stiffness(bonded_, candidate.pair, bond.rigidity().axial / bond.rest_length());
-  ++bonded_anew_;
-}
-
-void ElementContacts::observe(const Model& model, Observation& observation) const {
-  double stored = 0;
-  for (const Candidate& candidate : candidates_) {
-    const Vector to = chord(candidate);
-    if (!is_pressed(candidate, to)) continue;
-    const Vector force = contact_force(candidate.stiffness, candidate.distance, to);
-    stored += contact_energy(candidate.stiffness, candidate.distance, to);
-    observe_push(model, observation, candidate.pair.i, force);
-    observe_push(model, observation, candidate.pair.j, -force);
+double ElementContacts::longest_time_step() const {
+  if (law_.is_stiff_as_bonds()) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (const std::int32_t element : list_.elements()) {
+    const auto i = static_cast<std::size_t>(element);
+    largest = std::max(largest,
+                       model_.data(columns::inverse_mass)[i] * stiffness({element, element}, {}));
   }
-  observation.energies.add(EnergyLedger::Kind::stored, "contact_energy", stored);
-  if (parameters_.rebonding_pressure)
-    observation.add("bonds_formed", static_cast<double>(bonded_anew_));
+  return std::sqrt(2 / (stiffness_with_friction() * largest));
 }
 
 std::vector<TimeStepCriterion> ElementContacts::time_step_criteria(const Model& model) const {
-  if (!(stiffening() > 1)) return {};
-  return {{"stiffness of contacts", beams_.time_step_criteria(model).front().value / stiffening()}};
+  const double slowed = std::max(1.0, damping_ratio_);
+  if (const double longest = longest_time_step(); std::isfinite(longest))
+    return {{"stiffness of contacts", longest / std::sqrt(2) / slowed}};
+  const double factor = stiffening() * slowed;
+  if (!(factor > 1)) return {};
+  return {{"stiffness of contacts", beams_->time_step_criteria(model).front().value / factor}};
 }
 
 double ElementContacts::stiffening() const {
-  double most = std::max(1.0, parameters_.stiffness_ratio);
+  if (beams_ == nullptr || !law_.is_stiff_as_bonds()) return 1;
+  const double most = std::max(1.0, parameters_.stiffness_ratio * stiffness_with_friction());
   // A bond that is made anew is as much shorter, and stiffer, as its pressure strains the contact.
   return std::sqrt(std::max(most, 1 / (1 - rebonding_strain_)));
 }
 
 double ElementContacts::stiffened() const {
-  return stiffness_at_start_ > 0 ? std::sqrt(largest_stiffness_ / stiffness_at_start_) : 1;
+  return std::sqrt(std::max(largest_stiffness_, present_stiffness()) / stiffness_at_start_);
 }
 
 void ElementContacts::state(Archive& archive) {
-  archive(bonded_anew_, broken_then_, skin_, candidates_, nearer_, surface_elements_, searched_at_,
-          bonded_, subtracted_, largest_stiffness_);
-  if (archive.is_reading() && searched_at_.size() != surface_elements_.size())
-    throw std::out_of_range("positions of " + std::to_string(searched_at_.size()) + " elements");
-}
-
-namespace {
-
-std::vector<Key> contact_keys(ContactParameters& p, Reading& /*reading*/) {
-  return {
-      may_have("stiffness_ratio", number(p.stiffness_ratio, positive))
-          .means("stiffness over E S / l of the bond"),
-      may_have("rebonding_pressure", quantity(p.rebonding_pressure, dimension::modulus, positive))
-          .means("force over section of the bond above which a new one is made, free of load; "
-                 "not with `\"scaled-offset\"`")
-          .without("never")};
-}
-
-/// The strain of a contact under the pressure at which it becomes a bond, of the softest beams; 0
-/// where none does.
-double rebonding_strain(const ContactParameters& contact, const BeamParameters& beams) {
-  if (!contact.rebonding_pressure) return 0;
-  double modulus = beams.young_modulus;
-  if (const auto& grain = beams.anisotropy)
-    modulus = std::min({modulus, grain->tangential_modulus, grain->radial_modulus});
-  return *contact.rebonding_pressure / (contact.stiffness_ratio * modulus);
-}
-
-void finish_contact(const Section& section, ContactParameters& p, Reading& reading) {
-  const auto& beams = reading.setup.get<BeamParameters>();
-  if (beams && rebonding_strain(p, *beams) >= 1)
-    section.refuse("rebonding_pressure", "no contact can bear so much: its elements would meet",
-                   "less than stiffness_ratio times Young's modulus of the beams");
-  const auto& plasticity = reading.setup.get<PlasticityParameters>();
-  if (p.rebonding_pressure && plasticity &&
-      plasticity->law == PlasticityParameters::Law::scaled_offset)
-    section.refuse("bonds by the law scaled-offset cannot be made anew",
-                   "law = \"radial-return\" in [plasticity], or no rebonding_pressure");
-}
-
-void plan_contact(const Setup& setup, Plan& plan) {
-  const auto& contact = setup.get<ContactParameters>();
-  if (!contact) return;
-  plan.effects.push_back(
-      {"contact", "[contact]", "", Phase::push, [contact = *contact](Assembly& assembly) {
-         return std::make_unique<ElementContacts>(
-             contact, rebonding_strain(contact, *assembly.setup.get<BeamParameters>()),
-             assembly.need<Beams>(), assembly.need<Rupture>(), assembly.model);
-       }});
-}
-
-}  // namespace
-
-EffectKind contact_kind() {
-  EffectKind kind = single_kind<ContactParameters>("contact", contact_keys, finish_contact);
-  kind.beside = {"rupture"};
-  kind.problem_alone = "no bond ever breaks";
-  kind.plan = plan_contact;
-  kind.example =
-      "[contact]\n"
-      "rebonding_pressure = \"200 MPa\"\n";
-  return kind;
+  list_.state(archive);
+  archive(history_, load_, acts_, nearer_, broken_seen_, removed_seen_, bonded_anew_, acting_,
+          friction_, damped_, bonded_, largest_stiffness_);
+  if (!archive.is_reading()) return;
+  const std::size_t count = list_.candidates().size();
+  if (history_.size() != count || load_.size() != count || acts_.size() != count ||
+      bonded_.size() != model_.elements() ||
+      (rupture_ != nullptr && broken_seen_ > rupture_->broken().size()))
+    throw std::out_of_range("contacts of " + std::to_string(history_.size()) + " pairs");
+  broken_.clear();
+  for (std::size_t n = 0; rupture_ != nullptr && n < broken_seen_; ++n)
+    broken_[rupture_->broken()[n].pair] = n;
 }
 
 }  // namespace solidem

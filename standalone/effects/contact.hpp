@@ -4,77 +4,139 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "effects/contact_law.hpp"
+#include "effects/contact_list.hpp"
+#include "effects/grips.hpp"
+#include "effects/parameters.hpp"
 #include "effects/rupture.hpp"
+#include "laws/linear_contact.hpp"
+#include "model/buffer.hpp"
 
 namespace solidem {
 
-/// Elements that lost bonds push each other when they touch: laws/contact.hpp. Where no bond has
-/// broken nothing is looked for.
+/// Elements that no bond joins push each other when they touch, and rub: laws/linear_contact.hpp.
+///
+/// Forces are found once elements have moved, at the poses and with the velocities that hold then,
+/// and act in the step that follows. Elements are looked at that something can reach: those at free
+/// surfaces, those that have lost a bond, and all that have none. While they are apart nothing is
+/// sought (effects/contact_list.hpp).
 ///
 /// Two elements touch where their spheres meet; if their bond broke, where laws/contact.hpp says;
-/// and if they stood nearer when both had lost a bond for the first time, where they stood: nothing
-/// is thrown apart by being looked at. Above a pressure they are bonded anew, free of load.
+/// and if they stood nearer when both could be reached for the first time, where they stood:
+/// nothing is thrown apart by being looked at. Above a pressure they are bonded anew, free of load.
 class ElementContacts : public Effect {
  public:
-  /// `rebonding_strain`: of a contact that becomes a bond; 0: none does.
-  ElementContacts(const ContactParameters& parameters, double rebonding_strain, const Beams& beams,
-                  Rupture& rupture, Model& model);
+  /// `rebonding_strain`: of a contact that becomes a bond; 0: none does. Beams and rupture: null
+  /// where elements have no bonds, or none breaks.
+  ElementContacts(const ContactParameters& parameters, const ContactLaw& law,
+                  double rebonding_strain, const Beams* beams, Rupture* rupture, Model& model);
 
-  /// Pushes the elements that touch, in the poses and velocities that the bonds left.
+  /// Tells which elements are held, once it is known: their velocities stand in no column.
+  void follow(const std::vector<Grip*>& grips);
+
+  /// Finds who touches at the start. Throws InputError where elements overlap that may not.
+  void start(const Model& model, double duration) override;
+  /// Pushes the elements that touch, and bonds anew.
   void advance(Model& model, const Step& step) override;
+  /// Looks at the poses that a step has led to.
+  void look(const Step& step);
   /// Forces of the contacts, their energy and their number.
   void observe(const Model& model, Observation& observation) const override;
+  double spent(const Model& /*model*/) const override { return friction_ + damped_; }
   std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override;
+  /// The longest stable time step of two equal elements that touch, s; infinite where they are as
+  /// stiff as bonds.
+  double longest_time_step() const;
   /// Contacts that take the places of bonds may be stiffer than these; root of the stiffness.
   double stiffening() const override;
   double stiffened() const override;
   void state(Archive& archive) override;
 
  private:
-  /// Two elements that touch or may soon.
-  struct Candidate {
-    Pair pair;
-    double distance;   ///< at which they touch, m
-    double stiffness;  ///< N/m
-    double section;    ///< of the bond they had or would have, m²
-    Vector shift;      ///< added to the chord across a periodic face, m
-    bool is_new;       ///< found in the last step: if nearer now, it touches where it stands
+  /// What a contact did when it was last looked at: all zero where it does not act. One line of
+  /// memory, which both elements read.
+  struct alignas(64) Load {
+    Vector force{};               ///< on i, N
+    Vector moment{};              ///< of the force about the contact a metre on along the chord, N
+    double arm_i = 0, arm_j = 0;  ///< of the contact from both centres, m
 
-    void state(Archive& archive) { archive(pair, distance, stiffness, section, shift, is_new); }
+    void state(Archive& archive) { archive(force, moment, arm_i, arm_j); }
   };
-  Vector chord(const Candidate& candidate) const;
-  /// Whether the two push each other, with this chord.
-  static bool is_pressed(const Candidate& candidate, const Vector& chord);
-  /// Candidates among the elements as they stand in a buffer of poses.
-  void search(const double* pose);
-  bool must_search(const double* pose) const;
-  void bond_anew(const Candidate& candidate);
-  /// Lets candidates that were found in the last step touch no farther than where they stand.
-  void settle_new();
-  /// Enters what a contact holds as lost in this step (sign 1) or as taken over (−1).
-  void hand_over(const Candidate& candidate, double sign);
-  /// Looks how stiffly elements are held by now, by bonds and by contacts that press.
-  void measure_stiffness();
-  void add_stiffness(std::vector<double>& sums, const Pair& pair, double stiffness) const;
+  struct History : ContactHistory<double> {
+    void state(Archive& archive) { archive(normal, spring, dashpot); }
+  };
+  /// Energies that went in a step, and how many contacts act.
+  struct Sums {
+    double friction = 0, damped = 0;
+    std::size_t acting = 0;
+  };
+
+  // Who touches where.
+  void list_contacts();
+  ContactCandidate candidate(Pair pair, const Vector& chord, bool is_reached_now);
+  double stiffness(Pair pair, const Vector& chord) const;
+  double damping(Pair pair, double stiffness) const;
+  double section(Pair pair, const Vector& chord) const;
+  const BrokenBond* broken_bond(Pair pair) const;
+  void refuse_overlaps() const;
+
+  // Forces.
+  /// Columns of the elements, as they are at a look.
+  struct Motion {
+    const double* pose;
+    const double* rows;  ///< of each element that can be reached: v, 1/m, ω, R
+    double time_step;    ///< between the poses, s
+  };
+  double inverse_mass(const double* column, std::int32_t element) const;
+  /// Lays the rows out that contacts read: a line of memory for each element.
+  void fill_rows(double time_step);
+  void find_forces(double time_step);
+  void find_force(const Motion& motion, std::size_t k, Sums& sums);
+  /// Force and moment on i; on j the force is opposite.
+  BeamLoad<double> load(std::size_t k) const;
+  /// Sum over the contacts of an element.
+  BeamLoad<double> sum_on(std::size_t exposed) const;
+  double stored(std::size_t k) const;
+
+  // Bonds.
+  void follow_ruptures();
+  void take_over(const BrokenBond& bond);
+  void lose_contact(std::size_t k);
+  void bond_anew(std::size_t k);
+
+  // Time step.
+  /// Stiffness of a contact over its k_n with which elements that also rub and turn vibrate.
+  double stiffness_with_friction() const;
+  std::vector<double> stiffness_of_bonds() const;
+  void add_stiffness(std::vector<double>& sums, Pair pair, double stiffness) const;
   double largest_over_mass(const std::vector<double>& sums) const;
+  double present_stiffness() const;
 
   ContactParameters parameters_;
+  ContactLaw law_;
   double rebonding_strain_;
-  const Beams& beams_;
-  Rupture& rupture_;
+  double damping_ratio_;  ///< ζ
+  const Beams* beams_;
+  Rupture* rupture_;
   Model& model_;
-  std::vector<Candidate> candidates_;  ///< sorted by pair
-  std::map<Pair, double> nearer_;      ///< contact distance of pairs that were nearer when found
-  std::vector<std::int32_t> surface_elements_;  ///< elements that lost a bond, sorted
-  std::vector<Vector> searched_at_;             ///< where they stood when candidates were sought
-  std::size_t broken_then_ = 0;                 ///< bonds broken by then
-  std::size_t bonded_anew_ = 0;
-  double skin_ = 0;             ///< m, by which candidates may be apart
-  std::vector<double> bonded_;  ///< sum of E S / l of the bonds of each element, N/m
-  std::size_t subtracted_ = 0;  ///< broken bonds that are taken from it
-  double stiffness_at_start_ = 0, largest_stiffness_ = 0;  ///< of an element, over its mass, 1/s²
+  bool has_rotation_;
+  ContactList list_;
+  std::vector<History> history_;  ///< of each candidate of the list
+  std::vector<Load> load_;        ///< likewise
+  std::vector<char> acts_;        ///< likewise: 1 where it touches
+  Buffer<double> rows_;
+  std::map<Pair, double> nearer_;       ///< contact distance of pairs that were nearer when found
+  std::map<Pair, std::size_t> broken_;  ///< the last of the broken bonds between two elements
+  std::size_t broken_seen_ = 0, removed_seen_ = 0;  ///< bonds and elements, by now
+  std::size_t bonded_anew_ = 0, acting_ = 0;
+  double friction_ = 0, damped_ = 0;  ///< dissipated since the start, J
+  std::vector<char> imposed_;         ///< axes along which a grip moves an element; empty: none
+  std::vector<double> bonded_;        ///< sum of E S / l of the bonds of each element, N/m
+  double stiffness_at_start_ = 0;     ///< of an element, over its mass, 1/s²
+  double largest_stiffness_ = 0;      ///< that was met, likewise
 };
 
 }  // namespace solidem

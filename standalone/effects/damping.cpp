@@ -16,7 +16,6 @@
 #include "effects/grips.hpp"
 #include "effects/push.hpp"
 #include "keys/rules.hpp"
-#include "laws/rigid_sphere.hpp"
 #include "model/lane_vectors.hpp"
 
 namespace solidem {
@@ -152,14 +151,7 @@ class Damping : public Effect {
       for (int axis = 0; axis < 3; ++axis) kick(model, step, i, axis, component(gain, axis));
       return;
     }
-    const double* now = model.positions()[i] + 4;
-    const Quaternion<double> turned =
-        turn(Quaternion<double>{now[0], {now[1], now[2], now[3]}}, velocity, step.time_step);
-    double* next = model.next_positions()[i] + 4;
-    next[0] = turned.w;
-    next[1] = turned.v.x;
-    next[2] = turned.v.y;
-    next[3] = turned.v.z;
+    turn_on(model, step, i, velocity);
   }
 
   /// Brings an observed velocity to what local damping leaves of it at the time of the pose; the

@@ -10,7 +10,9 @@
 
 #include "effects/assembly.hpp"
 #include "effects/central_forces.hpp"
+#include "effects/contact.hpp"
 #include "effects/effect_kind.hpp"
+#include "effects/free_motion.hpp"
 #include "effects/mechanics.hpp"
 #include "engine/gauge.hpp"
 #include "engine/heat.hpp"
@@ -124,6 +126,7 @@ void Simulation::sort_by_phase() {
 
 Model Simulation::make_model(Specimen specimen) {
   // Components and bond counts are found while the list of bonds is still there.
+  if (elements_are_loose(setup_)) specimen.bonds.clear();
   if (setup_.gauge) selections_["component"] = largest_component(specimen);
   std::optional<std::vector<Pair>> conductors;
   if (const auto& conduction = setup_.get<ConductionParameters>()) {
@@ -192,6 +195,8 @@ void Simulation::choose_time_step(bool force) {
     }
   if (mechanics_ != nullptr) {
     motion_limit_ = stable_time_step(*mechanics_, model_);
+    if (const auto* contacts = find<ElementContacts>())
+      motion_limit_ = std::min(motion_limit_, contacts->longest_time_step());
     choice.limit = motion_limit_ / stiffening;
   }
   if (explicit_heat) choice.limit = std::min(choice.limit, heat_->limit());
@@ -391,7 +396,10 @@ HistoryRow Simulation::observe(Observation& observation) const {
 
 std::vector<std::string> notes_of(const Simulation& simulation) {
   std::vector<std::string> notes = simulation.plan().notes;
-  for (std::string& note : notes_on(simulation.model().specimen(), simulation.pairs()))
+  const bool they_touch = simulation.setup().get<ContactParameters>().has_value();
+  // Loose elements stand for themselves, and for no body whose volume might matter.
+  if (elements_are_loose(simulation.setup())) return notes;
+  for (std::string& note : notes_on(simulation.model().specimen(), simulation.pairs(), they_touch))
     notes.push_back(std::move(note));
   return notes;
 }

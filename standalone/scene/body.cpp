@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "effects/beams.hpp"
+#include "effects/central_forces.hpp"
 #include "engine/heat.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "output/hdf5.hpp"
@@ -39,8 +40,17 @@ Specimen make_body(const Scene& scene, const ReportProgress& progress) {
 
 namespace {
 
-/// Masses and moments of inertia of all elements; rigidity, radius and G / E of all beams, in the
-/// order of the bonds.
+/// Velocities that elements start with, where some do.
+void write_velocities(const Hdf5Group& mechanics, const Model& model) {
+  std::vector<double> velocity;
+  for (std::size_t i = 0; i < model.elements(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      velocity.push_back(model.data(columns::velocity)[Model::at(columns::velocity, i, axis)]);
+  mechanics.write("velocity", velocity.data(), {model.elements(), 3});
+}
+
+/// Masses and moments of inertia of all elements, and velocities at the start; rigidity, radius and
+/// G / E of all beams, in the order of the bonds.
 void write_mechanics(const Hdf5File& file, const Simulation& simulation) {
   const Model& model = simulation.model();
   const Hdf5Group mechanics = file.make_group("mechanics");
@@ -51,8 +61,10 @@ void write_mechanics(const Hdf5File& file, const Simulation& simulation) {
     inertia.push_back(sphere_inertia(mass[i], radius[i]));
   }
   mechanics.write("mass", mass);
-  if (simulation.find<Beams>() == nullptr) return;
+  if (!simulation.setup().all<InitialVelocity>().empty()) write_velocities(mechanics, model);
+  if (simulation.find<CentralForces>() != nullptr) return;
   mechanics.write("inertia", inertia);
+  if (simulation.find<Beams>() == nullptr) return;
 
   const BeamProperties& properties = simulation.find<Beams>()->properties();
   std::vector<double> rigidity, beam_radius, shear_ratio;

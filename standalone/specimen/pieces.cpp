@@ -60,7 +60,8 @@ std::vector<std::int32_t> lowest_of_piece(std::size_t elements, const std::vecto
   return parent;
 }
 
-std::vector<std::string> notes_on(const Specimen& specimen, const std::vector<Pair>& pairs) {
+std::vector<std::string> notes_on(const Specimen& specimen, const std::vector<Pair>& pairs,
+                                  bool they_touch) {
   std::vector<std::string> notes;
   if (specimen.report.count(estimated_volume) != 0)
     notes.push_back(
@@ -68,6 +69,7 @@ std::vector<std::string> notes_on(const Specimen& specimen, const std::vector<Pa
                     "from its cells, cut at the spheres, and it has no walls; [specimen] shape or "
                     "volume tells them",
                     specimen.domain.volume));
+  if (they_touch) return notes;
   const std::vector<std::int32_t> lowest = lowest_of_piece(specimen.size(), pairs);
   const std::vector<Piece> pieces = pieces_of(lowest);
   std::size_t joined = 0;

@@ -58,7 +58,7 @@ const BadScene without_their_effect[] = {
      "mm\", \"0 mm\", \"0 mm\"]\nquantity = \"temperature\"\n",
      "",
      "[material]",
-     {"[material]", "[beams], [central_forces] or [conduction]"}},
+     {"[material]", "[beams], [contact], [central_forces] or [conduction]"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(WithoutItsEffect, BadFiles, testing::ValuesIn(without_their_effect),

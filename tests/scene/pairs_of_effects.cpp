@@ -11,6 +11,7 @@
 #include <map>
 
 #include "effects/effect_kind.hpp"
+#include "model/error.hpp"
 #include "scene/body.hpp"
 #include "scene/scene_text.hpp"
 
@@ -86,18 +87,28 @@ void add_with_needs(Sections& sections, const std::string& section, const std::s
     add(sections, "initial_velocities");
 }
 
+std::string scene_of(const Sections& sections) {
+  std::string text = base;
+  for (const std::string& section : sections) text += kind_of(section).example;
+  return text;
+}
+
+/// Whether a plan can be made: some sections do not go together unless a third is there.
+bool has_plan(const Sections& sections) {
+  try {
+    make_plan(read_text_scene(scene_of(sections)).setup, false);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 bool go_together(const Sections& sections) {
   for (const std::string& section : sections)
     for (const Conflict& conflict : kind_of(section).conflicts)
       if (std::find(sections.begin(), sections.end(), conflict.section) != sections.end())
         return false;
   return true;
-}
-
-std::string scene_of(const Sections& sections) {
-  std::string text = base;
-  for (const std::string& section : sections) text += kind_of(section).example;
-  return text;
 }
 
 struct Pairing {
@@ -123,7 +134,7 @@ std::vector<Pairing> pairings() {
         add_with_needs(sections, b.section, mover);
         Sections sorted = sections;
         std::sort(sorted.begin(), sorted.end());
-        if (go_together(sections)) found.emplace(sorted, Pairing{sections});
+        if (go_together(sections) && has_plan(sections)) found.emplace(sorted, Pairing{sections});
       }
   std::vector<Pairing> all;
   for (const auto& entry : found) all.push_back(entry.second);

@@ -109,8 +109,9 @@ TEST(BrokenLips, of_an_overlapping_body_are_not_ejected) {
               value_of(row, "broken_bonds"), contact / value_of(row, "external_work"),
               1e3 * farthest);
   EXPECT_GT(value_of(row, "broken_bonds"), 10);
-  // The grip itself moves by .06 mm; an ejected element would have left by millimetres.
-  EXPECT_LT(farthest, 3e-4);
+  // The grip itself moves by .06 mm; splinters, which lost all bonds, fly off with what neighbours
+  // that they pressed had stored. An ejected element would have left by 7 mm.
+  EXPECT_LT(farthest, 6e-4);
 }
 
 /// Tears a bar in two, then pushes the parts together by a tenth of its length.

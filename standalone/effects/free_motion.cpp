@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "effects/free_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "effects/push.hpp"
+#include "laws/rigid_sphere.hpp"
+#include "model/lane_vectors.hpp"
+
+namespace solidem {
+
+namespace {
+
+constexpr std::size_t least_blocks = 600;  // below, a second thread costs more than it saves
+
+}  // namespace
+
+bool elements_are_loose(const Setup& setup) {
+  return setup.get<ContactParameters>() && !setup.get<BeamParameters>() &&
+         !setup.get<CentralForceParameters>();
+}
+
+std::vector<const Column*> FreeMotion::columns(bool rotation) {
+  std::vector<const Column*> asked = {&columns::pose, &columns::velocity, &columns::inverse_mass};
+  if (rotation) asked.insert(asked.end(), {&columns::angular_velocity, &columns::inverse_inertia});
+  return asked;
+}
+
+FreeMotion::FreeMotion(const std::vector<double>& mass, Model& model) {
+  const Specimen& specimen = model.specimen();
+  for (double* pose : {model.data(columns::pose), model.next(columns::pose)})
+    for (std::size_t i = 0; i < model.slots().padded_elements(); ++i) pose[8 * i + 4] = 1;
+  const bool has_rotation = model.has(columns::angular_velocity);
+  for (std::size_t i = 0; i < specimen.size(); ++i) {
+    std::copy_n(&specimen.position[i].x, 3, model.positions()[i]);
+    model.data(columns::inverse_mass)[i] = 1 / mass[i];
+    if (has_rotation)
+      model.data(columns::inverse_inertia)[i] = 1 / sphere_inertia(mass[i], specimen.radius[i]);
+  }
+}
+
+void FreeMotion::advance(Model& model, const Step& step) {
+  const bool has_rotation = model.has(columns::angular_velocity);
+  const auto now = model.positions(), next = model.next_positions();
+  const double* velocity = model.data(columns::velocity);
+  for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first * lanes; i < std::min(last * lanes, model.elements()); ++i) {
+      for (int axis = 0; axis < 3; ++axis)
+        next[i][axis] =
+            now[i][axis] + step.time_step * velocity[Model::at(columns::velocity, i, axis)];
+      if (has_rotation)
+        turn_on(model, step, i,
+                lanes_vector(model.data(columns::angular_velocity),
+                             Model::at(columns::angular_velocity, i)));
+      else
+        std::copy_n(now[i] + 4, 4, next[i] + 4);
+    }
+  });
+}
+
+void FreeMotion::observe(const Model& model, Observation& observation) const {
+  const std::size_t elements = model.elements();
+  const bool has_rotation = model.has(columns::angular_velocity);
+  ObservedMotion& motion = observation.motion;
+  motion.force.assign(elements, {});
+  motion.moment.assign(elements, {});
+  motion.velocity.assign(elements, {});
+  motion.angular_velocity.assign(has_rotation ? elements : 0, {});
+  motion.kinetic_energy = motion.squared_impulse = 0;
+  for (std::size_t i = 0; i < elements; ++i) {
+    const std::size_t at = Model::at(columns::velocity, i);
+    const Vector v = motion.velocity[i] = lanes_vector(model.data(columns::velocity), at);
+    motion.kinetic_energy += 0.5 * dot(v, v) / model.data(columns::inverse_mass)[i];
+    if (!has_rotation) continue;
+    const Vector w = motion.angular_velocity[i] =
+        lanes_vector(model.data(columns::angular_velocity), at);
+    motion.kinetic_energy += 0.5 * dot(w, w) / model.data(columns::inverse_inertia)[i];
+  }
+}
+
+std::vector<TimeStepCriterion> FreeMotion::time_step_criteria(const Model& /*model*/) const {
+  return {};
+}
+
+double FreeMotion::longest_time_step(double squared_frequency) const {
+  return 2 / std::sqrt(squared_frequency);
+}
+
+void FreeMotion::finish_move(Model& model) const {
+  model.swap(columns::pose);
+}
+
+}  // namespace solidem

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef SOLIDEM_EFFECTS_SURFACE_ELEMENTS_HPP
+#define SOLIDEM_EFFECTS_SURFACE_ELEMENTS_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "model/specimen.hpp"
+
+namespace solidem {
+
+/// The elements that a sphere as small as the smallest element can touch without overlapping
+/// another, as the specimen stands, ascending: those at free surfaces, in wide pores, and those
+/// that stand alone. Directions are tried one by one, some ten degrees apart.
+std::vector<std::int32_t> surface_elements(const Specimen& specimen);
+
+}  // namespace solidem
+
+#endif
