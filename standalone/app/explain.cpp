@@ -14,6 +14,7 @@
 #include "effects/effect_kind.hpp"
 #include "effects/heat_exchange.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "effects/turning_grip.hpp"
 #include "engine/heat.hpp"
 #include "scene/body.hpp"
 #include "solve/heat/heat_integrator.hpp"
@@ -95,6 +96,11 @@ Json loads_of(const Setup& setup, Json report) {
     report["grips"].push_back({{"name", grip.name},
                                {"axes", axes},
                                {"rotation", grip.rotation_fixed ? "fixed" : "free"}});
+  }
+  for (const TurningGripParameters& turning : setup.all<TurningGripParameters>()) {
+    const Json turns{{"kind", "turning"}};
+    report["grips"].push_back(
+        {{"name", turning.grip.name}, {"axes", {turns, turns, turns}}, {"rotation", "fixed"}});
   }
   report["initial_velocities"] = setup.all<InitialVelocity>().size();
   report["temperatures"] = Json::array();

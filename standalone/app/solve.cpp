@@ -11,6 +11,7 @@
 #include "app/notes.hpp"
 #include "app/say.hpp"
 #include "effects/effect_kind.hpp"
+#include "effects/turning_grip.hpp"
 #include "keys/nearest_name.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/error.hpp"
@@ -122,6 +123,11 @@ void set_up(const Scene& scene, StaticScene& body) {
   if (!scene.setup.get<BeamParameters>())
     throw InputError(scene.path +
                      ": the scene has no [beams]; `solidem solve` needs bonds to solve");
+  if (!scene.setup.all<TurningGripParameters>().empty())
+    throw InputError(scene.path + ": [[grips]] \"" +
+                     scene.setup.all<TurningGripParameters>().front().grip.name +
+                     "\" turns, which `solidem solve` does not know; expected grips with "
+                     "displacements and forces");
   // Whether a time step is stable does not matter here.
   const Simulation simulation(scene.setup, make_body(scene), true);
   body.specimen = simulation.model().specimen();

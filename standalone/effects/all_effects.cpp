@@ -13,6 +13,7 @@
   kind(damage) \
   kind(central_forces) \
   kind(gravity) \
+  kind(tools) \
   kind(initial_velocities) \
   kind(grips) \
   kind(damping) \

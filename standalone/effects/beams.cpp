@@ -322,6 +322,19 @@ double Beams::longest_time_step(double squared_frequency) const {
   return 2 / std::sqrt(squared_frequency);
 }
 
+double Beams::mean_stiffness(const Model& model) const {
+  const BeamMotion columns_now = columns_of(model);
+  double sum = 0;
+  std::size_t count = 0;
+  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+    if (i > j) return;
+    const Bond one = bond(columns_now, i, j, row, lane);
+    sum += one.rigidity().axial / one.rest_length();
+    ++count;
+  });
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
 void Beams::finish_move(Model& model) const {
   if (model.has(columns::last_pose))
     model.swap(columns::pose, columns::last_pose);

@@ -55,6 +55,9 @@ class Beams : public Mechanics {
     return 2 * rigidity_.axial * mean_radius(model.specimen());
   }
 
+  /// E S / l
+  double mean_stiffness(const Model& model) const override;
+
   void advance(Model& model, const Step& step) override;
 
   /// The elastic accelerations of the present pose, in the columns of the velocities, which must be

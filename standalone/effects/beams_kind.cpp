@@ -13,19 +13,6 @@ namespace solidem {
 
 namespace {
 
-Rule direction(Vector& target) {
-  const std::string expected = "three numbers [x, y, z], not all zero";
-  return {expected, [&target, expected](const Value& value) {
-            const std::vector<Value> entries = value.entries(3, expected);
-            Vector v{};
-            for (int k = 0; k < 3; ++k)
-              component(v, k) = read_number(entries[static_cast<std::size_t>(k)], anything);
-            const double length = norm(v);
-            if (!(length > 0) || !std::isfinite(length)) value.refuse("no direction", expected);
-            target = (1 / length) * v;
-          }};
-}
-
 /// Makes the radial axis perpendicular to the grain to the last bit, if it is within a thousandth.
 bool square_up(GrainAxes<double>& axes) {
   const double along = dot(axes.radial, axes.longitudinal);

@@ -98,11 +98,13 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
             largest_stiffness = std::max(
                 largest_stiffness, central_force(law, fraction, distance, equilibrium).stiffness);
             smallest_stiffness_ = std::min(smallest_stiffness_, at_rest);
+            mean_stiffness_ += at_rest;
             depth_ = std::max(depth_, -central_potential(law, fraction, parameters_.range * radii,
                                                          equilibrium, equilibrium));
           },
           parameters_.law);
     }
+  if (!initial_distance_.empty()) mean_stiffness_ /= static_cast<double>(initial_distance_.size());
   if (largest_stiffness > 0)
     stiffening_ = std::max(1.0, largest_deep_stiffness / largest_stiffness);
   if (model.has(columns::listed_position))

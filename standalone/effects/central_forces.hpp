@@ -42,6 +42,7 @@ class CentralForces : public Mechanics {
   void accelerate(Model& model) const override;
   /// So small that no pair comes into range by it, where forces jump.
   double trial_displacement() const override { return 1e-9; }
+  double mean_stiffness(const Model& /*model*/) const override { return mean_stiffness_; }
   double typical_energy(const Model& /*model*/) const override { return depth_; }
   bool releases_energy() const override { return true; }
   void for_each_pair(const Model& model, const PairVisit& visit) const override;
@@ -109,6 +110,7 @@ class CentralForces : public Mechanics {
   double depth_ = 0;                      ///< of the deepest well at the start, J
   double stiffening_ = 1;          ///< stiffness at the deepest overlap over that at the start
   bool stiffens_ = false;          ///< whether the law is stiffer there than at rest
+  double mean_stiffness_ = 0;      ///< at the equilibrium, of the pairs of the start, N/m
   double smallest_stiffness_ = 0;  ///< at the equilibrium, N/m
   double compression_ratio_ = 0;   ///< the largest δ_eq/δ met
   bool list_outdated_ = false;

@@ -2,6 +2,7 @@
 #ifndef SOLIDEM_EFFECTS_EFFECT_HPP
 #define SOLIDEM_EFFECTS_EFFECT_HPP
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -100,11 +101,19 @@ class Frame {
     std::vector<double> values;
     bool of_bonds;
   };
+  /// A surface beside the elements, such as a tool's: it moves and keeps its facets.
+  struct Surface {
+    std::string name;
+    std::vector<Vector> vertices;                     ///< where they are, m
+    std::vector<std::array<std::int32_t, 3>> facets;  ///< the same in each frame
+  };
   /// `bonds`: those that frames draw, in their order: the bonds of the start.
   explicit Frame(const std::vector<Pair>& bonds) : bonds_(bonds) {}
 
   const std::vector<Pair>& bonds() const { return bonds_; }
   const std::vector<Field>& fields() const { return fields_; }
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+  void add(Surface surface) { surfaces_.push_back(std::move(surface)); }
   /// One value for each element.
   void add(const std::string& name, std::vector<double> values) {
     fields_.push_back({name, std::move(values), false});
@@ -117,6 +126,7 @@ class Frame {
  private:
   const std::vector<Pair>& bonds_;
   std::vector<Field> fields_;
+  std::vector<Surface> surfaces_;
 };
 
 /// When in a step an effect acts, in this order.
@@ -155,6 +165,9 @@ class Effect : public Observer {
   virtual std::vector<TimeStepCriterion> time_step_criteria(const Model& /*model*/) const {
     return {};
   }
+  /// Largest squared frequency that the springs it adds may have by themselves, 1/s²: added to that
+  /// of the forces between elements, it bounds the frequencies of both together.
+  virtual double added_squared_frequency() const { return 0; }
   /// By how much stiffness may grow in the run beyond that of the start.
   virtual double stiffening() const { return 1; }
   /// By how much it has grown so far, at most, in the same measure.

@@ -6,6 +6,7 @@
 #include "effects/assembly.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/push.hpp"
+#include "effects/turning_grip.hpp"
 #include "keys/rules.hpp"
 
 namespace solidem {
@@ -227,49 +228,120 @@ Rule controls(std::array<AxisControl, 3>& axes, AxisControl::Kind kind,
   });
 }
 
-std::vector<Key> grip_keys(GripParameters& p, Reading& reading) {
+/// A grip as it is read, whether it turns or not.
+struct ReadGrip {
+  GripParameters grip;
+  GripTurn turn;
+  TimeFunction angle, angular_velocity, torque;
+};
+
+std::vector<Key> grip_keys(ReadGrip& p, Reading& reading) {
   using Kind = AxisControl::Kind;
   return {
-      must_have("name", name(p.name, reading.taken)).means("names the columns `grip.NAME.…`"),
-      must_have("region", region(p.region, reading.regions)),
-      may_have("displacement", controls(p.axis, Kind::displacement, dimension::length))
+      must_have("name", name(p.grip.name, reading.taken)).means("names the columns `grip.NAME.…`"),
+      must_have("region", region(p.grip.region, reading.regions)),
+      may_have("displacement", controls(p.grip.axis, Kind::displacement, dimension::length))
           .without("free"),
-      may_have("velocity", controls(p.axis, Kind::velocity, dimension::velocity)).without("free"),
-      may_have("force", controls(p.axis, Kind::force, dimension::force))
+      may_have("velocity", controls(p.grip.axis, Kind::velocity, dimension::velocity))
+          .without("free"),
+      may_have("force", controls(p.grip.axis, Kind::force, dimension::force))
           .means("for the whole grip")
           .without("free"),
-      may_have("rotation", choice<bool>(p.rotation_fixed, {{"fixed", true}, {"free", false}}))};
+      may_have("rotation", choice<bool>(p.grip.rotation_fixed, {{"fixed", true}, {"free", false}}))
+          .means("of each element: as the grip turns, or as its bonds turn it"),
+      may_have("angle", function(p.angle, dimension::angle))
+          .means("by which the grip turns as a whole")
+          .without("it does not turn"),
+      may_have("angular_velocity", function(p.angular_velocity, dimension::angular_velocity))
+          .without("or this"),
+      may_have("torque", function(p.torque, dimension::torque))
+          .means("that turns the grip against its bonds and its inertia")
+          .without("or this"),
+      may_have("rotation_axis", direction(p.turn.axis)).without("needed with these"),
+      may_have("rotation_point", vector(p.turn.point, dimension::length))
+          .means("of that axis, at the start: it goes where the grip goes")
+          .without("zero")};
 }
 
 bool is_controlled(const AxisControl& control) {
   return control.kind != AxisControl::Kind::free;
 }
 
-void finish_grip(const Section& section, GripParameters& p, Reading& /*reading*/) {
-  if (std::none_of(p.axis.begin(), p.axis.end(), is_controlled) && !p.rotation_fixed)
-    section.refuse("the grip does nothing",
-                   "a displacement, velocity or force, or rotation = \"fixed\"");
+/// A grip that turns is held along all axes along which nothing else is said.
+void finish_turn(const Section& section, ReadGrip& p) {
+  if (!section.has("rotation_axis"))
+    section.refuse("\"rotation_axis\" is missing", "the axis about which the grip turns");
+  if (!p.grip.rotation_fixed)
+    section.refuse("rotation", "the elements of a grip that turns turn with it",
+                   "no rotation = \"free\" beside angle, angular_velocity or torque");
+  for (AxisControl& control : p.grip.axis) {
+    if (control.kind == AxisControl::Kind::force)
+      section.refuse("force", "a grip that turns does not go where a force pushes it",
+                     "displacement or velocity beside angle, angular_velocity or torque");
+    if (control.kind == AxisControl::Kind::free)
+      control = {AxisControl::Kind::displacement, TimeFunction::constant(0)};
+  }
+  using Kind = GripTurn::Kind;
+  p.turn.kind = section.has("angle")    ? Kind::angle
+                : section.has("torque") ? Kind::torque
+                                        : Kind::angular_velocity;
+  p.turn.function = section.has("angle")    ? p.angle
+                    : section.has("torque") ? p.torque
+                                            : p.angular_velocity;
 }
 
-std::unique_ptr<Effect> make_grip(const GripParameters& grip, Assembly& assembly) {
+void read_grip(const Section& section, Reading& reading) {
+  ReadGrip p;
+  section.read(grip_keys(p, reading));
+  section.at_most_one_of({"angle", "angular_velocity", "torque"});
+  if (section.has("angle") || section.has("angular_velocity") || section.has("torque")) {
+    finish_turn(section, p);
+    reading.setup.all<TurningGripParameters>().push_back({p.grip, p.turn});
+    return;
+  }
+  for (const char* key : {"rotation_axis", "rotation_point"})
+    if (section.has(key))
+      section.refuse(key, "the grip does not turn", "angle, angular_velocity or torque beside it");
+  if (std::none_of(p.grip.axis.begin(), p.grip.axis.end(), is_controlled) && !p.grip.rotation_fixed)
+    section.refuse("the grip does nothing",
+                   "a displacement, velocity or force, or rotation = \"fixed\"");
+  reading.setup.all<GripParameters>().push_back(p.grip);
+}
+
+std::vector<std::int32_t> held_by(const GripParameters& grip, Assembly& assembly) {
   std::vector<std::int32_t> elements =
       select_some(assembly.selections, "grip." + grip.name, grip.region, assembly.specimen());
   assembly.claim("[[grips]]", grip.name, elements);
   if (std::any_of(grip.axis.begin(), grip.axis.end(), is_controlled))
     assembly.model.note_driven(elements);
-  return std::make_unique<Grip>(grip, std::move(elements), assembly.model);
+  return elements;
 }
 
 void plan_grips(const Setup& setup, Plan& plan) {
   for (const GripParameters& grip : setup.all<GripParameters>())
-    plan.effects.push_back({"grip " + grip.name, "[[grips]]", "", Phase::constrain,
-                            [grip](Assembly& assembly) { return make_grip(grip, assembly); }});
+    plan.effects.push_back(
+        {"grip " + grip.name, "[[grips]]", "", Phase::constrain, [grip](Assembly& assembly) {
+           return std::make_unique<Grip>(grip, held_by(grip, assembly), assembly.model);
+         }});
+  for (const TurningGripParameters& turning : setup.all<TurningGripParameters>())
+    plan.effects.push_back({"grip " + turning.grip.name, "[[grips]]", "", Phase::constrain,
+                            [turning](Assembly& assembly) {
+                              return std::make_unique<TurningGrip>(
+                                  turning, held_by(turning.grip, assembly), assembly.model);
+                            }});
 }
 
 }  // namespace
 
 EffectKind grips_kind() {
-  EffectKind kind = list_kind<GripParameters>("grips", grip_keys, finish_grip);
+  EffectKind kind = kind_with_keys<ReadGrip>("grips", grip_keys);
+  kind.is_list = true;
+  kind.is_named = [](const Setup& setup) {
+    return !setup.all<GripParameters>().empty() || !setup.all<TurningGripParameters>().empty();
+  };
+  kind.read = [](const Value& value, Reading& reading) {
+    tables([&](const Section& section) { read_grip(section, reading); }).read(value);
+  };
   kind.needs = Provides::motion;
   kind.plan = plan_grips;
   kind.example =

@@ -42,8 +42,14 @@ class Grip : public Effect {
   /// Whether its elements do not turn.
   bool holds_rotation() const { return parameters_.rotation_fixed; }
 
- private:
+ protected:
   double imposed_velocity(int axis, double time) const;
+
+  GripParameters parameters_;
+  std::vector<std::int32_t> elements_;
+  std::vector<Vector> rest_;  ///< where the elements stood at the start
+
+ private:
   /// Of the elements that were not removed, kg: they share a force.
   double present_mass(const Model& model) const;
   /// Work of the forces it applies, along the way of its elements from the step before to the
@@ -54,9 +60,6 @@ class Grip : public Effect {
   /// Corrects the observed velocities of the gripped elements, and the kinetic energy.
   void correct_motion(const Model& model, const Vector& grip_force, Observation& observation) const;
 
-  GripParameters parameters_;
-  std::vector<std::int32_t> elements_;
-  std::vector<Vector> rest_;           ///< where the elements stood at the start
   std::vector<double> mass_;           ///< of the elements, that resists their acceleration, kg
   double work_ = 0;                    ///< done up to the last step, but for its second half
   std::vector<Vector> last_position_;  ///< of the elements where it applies a force, a step before

@@ -28,6 +28,9 @@ class Mechanics : public Effect {
   /// linear to about 1e-6, and far above round-off.
   virtual double trial_displacement() const { return 1e-5; }
 
+  /// Mean stiffness of the pairs along their chords, N/m, before any has parted; 0: there are none.
+  virtual double mean_stiffness(const Model& /*model*/) const { return 0; }
+
   /// A small energy to measure round-off by: that of one pair, J.
   virtual double typical_energy(const Model& model) const = 0;
 

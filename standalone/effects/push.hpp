@@ -84,6 +84,17 @@ class Pushes {
   const double* inverse_inertia_;
 };
 
+/// A moment, N·m, on an element that turns, through a step, besides those of its neighbours.
+inline void twist(Model& model, const Step& step, std::int32_t element, const Vector& moment) {
+  const auto i = static_cast<std::size_t>(element);
+  const std::size_t at = Model::at(columns::angular_velocity, i);
+  double* spin = model.data(columns::angular_velocity);
+  const Vector now =
+      lanes_vector(spin, at) + (step.kick * model.data(columns::inverse_inertia)[i]) * moment;
+  set_lanes_vector(spin, at, now);
+  turn_on(model, step, i, now);
+}
+
 /// What an observer sees of such a force: it acts, and has acted for as long as the velocities are
 /// behind the poses.
 inline void observe_push(const Model& model, Observation& observation, std::int32_t element,

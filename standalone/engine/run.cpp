@@ -291,7 +291,10 @@ class Recorder {
     for (const auto& effect : simulation_.effects()) effect->show(model, frame);
     for (const Frame::Field& field : frame.fields())
       fields.push_back({field.name, 1, field.values.data(), field.of_bonds});
-    trajectory_->write_frame(simulation_.step(), simulation_.time(), fields);
+    std::vector<DrawnSurface> surfaces;
+    for (const Frame::Surface& surface : frame.surfaces())
+      surfaces.push_back({surface.name, surface.vertices, surface.facets});
+    trajectory_->write_frame(simulation_.step(), simulation_.time(), fields, surfaces);
   }
 
   void write_checkpoint() {

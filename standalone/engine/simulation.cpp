@@ -178,11 +178,12 @@ void Simulation::add_observers() {
 void Simulation::choose_time_step(bool force) {
   const bool explicit_heat = heat_ != nullptr && heat_->takes_explicit_steps();
   std::vector<TimeStepCriterion> criteria;
-  double stiffening = 1;
+  double stiffening = 1, added = 0;
   for (const auto& effect : effects_) {
     for (const TimeStepCriterion& criterion : effect->time_step_criteria(model_))
       criteria.push_back(criterion);
     stiffening *= effect->stiffening();
+    added += effect->added_squared_frequency();
   }
   if (heat_ != nullptr && (explicit_heat || mechanics_ == nullptr))
     criteria.push_back(heat_->criterion());
@@ -198,6 +199,7 @@ void Simulation::choose_time_step(bool force) {
     if (const auto* contacts = find<ElementContacts>())
       motion_limit_ = std::min(motion_limit_, contacts->longest_time_step());
     choice.limit = motion_limit_ / stiffening;
+    if (added > 0) choice.limit = 2 / std::sqrt(4 / (choice.limit * choice.limit) + added);
   }
   if (explicit_heat) choice.limit = std::min(choice.limit, heat_->limit());
   const RunControl& run = setup_.run;

@@ -124,13 +124,13 @@ Rule name(std::string& target, std::set<std::string>& taken) {
           }};
 }
 
-Rule path(std::string& target, const std::string& scene_file) {
+Rule path(std::string& target) {
   const std::string expected = "the path of a file, relative to the folder of the scene";
-  return {expected, [&target, scene_file, expected](const Value& value) {
+  return {expected, [&target, expected](const Value& value) {
             const std::string given = text_of(value, expected);
             if (given.empty() || given.find('\0') != std::string::npos)
               value.refuse("not a path", expected);
-            const auto full = std::filesystem::path(scene_file).parent_path() / given;
+            const auto full = std::filesystem::path(value.file()).parent_path() / given;
             std::error_code error;
             if (!std::filesystem::exists(full, error))
               value.refuse("no such file (" + full.string() + ")", expected);
@@ -156,6 +156,19 @@ Rule vector(Vector& target, const Dimension& dimension, const Range& range) {
       });
   rule.show = [&target] { return std::array<double, 3>{target.x, target.y, target.z}; };
   return rule;
+}
+
+Rule direction(Vector& target) {
+  const std::string expected = "three numbers [x, y, z], not all zero";
+  return {expected, [&target, expected](const Value& value) {
+            const std::vector<Value> entries = value.entries(3, expected);
+            Vector v{};
+            for (int k = 0; k < 3; ++k)
+              component(v, k) = read_number(entries[static_cast<std::size_t>(k)], anything);
+            const double length = norm(v);
+            if (!(length > 0) || !std::isfinite(length)) value.refuse("no direction", expected);
+            target = (1 / length) * v;
+          }};
 }
 
 namespace {

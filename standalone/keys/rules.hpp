@@ -110,7 +110,10 @@ Rule text(std::string& target);
 Rule name(std::string& target, std::set<std::string>& taken);
 
 /// A path, relative to the folder of the scene file.
-Rule path(std::string& target, const std::string& scene_file);
+Rule path(std::string& target);
+inline Rule path(std::string& target, const std::string& /*scene_file*/) {
+  return path(target);
+}
 
 inline Rule function(TimeFunction& target, const Dimension& dimension,
                      const Range& range = anything) {
@@ -165,6 +168,9 @@ Rule triple(const std::string& expected_entry,
 
 /// Three quantities.
 Rule vector(Vector& target, const Dimension& dimension, const Range& range = anything);
+
+/// Three numbers that say where something points; of unit length in the target.
+Rule direction(Vector& target);
 
 }  // namespace solidem
 

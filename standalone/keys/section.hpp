@@ -38,6 +38,8 @@ class Value {
       : node_(node), file_(file), label_(label), record_(std::move(record)) {}
 
   const toml::node& node() const { return node_; }
+  /// The scene file that it stands in.
+  const std::string& file() const { return file_; }
 
   /// The value of a table under a key; null when there is none.
   const toml::node* find(const std::string& key) const;

@@ -199,6 +199,8 @@ double to_si(const std::string& quantity, const Dimension& expected) {
   };
   if (is_angular(in_base_units(unit)) && !is_angular(expected.unit))
     throw InputError("\"" + unit_text + "\" counts an angle, where none is meant");
+  if (!is_angular(in_base_units(unit)) && is_angular(expected.unit))
+    throw InputError("\"" + unit_text + "\" counts no angle, where one is meant");
   return convert(value, unit, unit_text, expected);
 }
 

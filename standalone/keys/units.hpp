@@ -38,6 +38,9 @@ inline constexpr Dimension temperature{"a temperature", "K", "298 K", true};
 inline constexpr Dimension temperature_difference{"a temperature difference", "K", "10 K"};
 inline constexpr Dimension frequency{"a frequency", "Hz", "50 Hz"};
 inline constexpr Dimension angle{"an angle", "rad", "90 degree"};
+inline constexpr Dimension angular_velocity{"an angular velocity", "rad/s", "1000 rpm"};
+inline constexpr Dimension torque{"a torque", "N m", "5 N m"};
+inline constexpr Dimension mass{"a mass", "kg", "20 g"};
 inline constexpr Dimension heat_flux{"a heat flux", "W/m^2", "1 MW/m^2"};
 inline constexpr Dimension heat_transfer{"a heat transfer coefficient", "W/(m^2 K)",
                                          "1000 W/(m^2 K)"};
@@ -51,7 +54,7 @@ inline constexpr Dimension number{"a number", "1", "5 %"};
 /// the text (`"GPA" is no unit (did you mean "73 GPa"?)`); the caller knows the place and adds
 /// what is expected. Refused are also: a number that is not finite, a unit with an offset (°C)
 /// where a difference or a rate is meant, logarithmic units, an angle per time where cycles per
-/// time are meant (rpm: 2π apart).
+/// time are meant (rpm: 2π apart), and the other way round (Hz).
 double to_si(const std::string& quantity, const Dimension& expected);
 
 }  // namespace solidem

@@ -56,6 +56,18 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
+constexpr char real[] = "NumberType=\"Float\" Precision=\"8\"";
+constexpr char integer[] = "NumberType=\"Int\" Precision=\"4\"";
+
+/// Where an XDMF index finds an array of a file in the trajectory's folder.
+std::string data_item(const std::string& folder, const std::string& source,
+                      const std::string& where, const std::vector<std::size_t>& shape,
+                      const char* type) {
+  return fmt::format("<DataItem Format=\"HDF\" Dimensions=\"{}\" {}>{}/{}.h5:/{}</DataItem>",
+                     numbers(shape), type, escaped(fs::path(folder).filename().string()), source,
+                     escaped(where));
+}
+
 std::size_t lines_to_draw(const Specimen& specimen) {
   const auto& periodic = specimen.domain.periodic;
   const bool across = std::any_of(periodic.begin(), periodic.end(), [](bool yes) { return yes; });
@@ -176,7 +188,7 @@ void TrajectoryWriter::set_aside(const std::string& name, const std::string& rea
 
 TrajectoryWriter::Frame TrajectoryWriter::read_frame(const Hdf5Group& group,
                                                      const std::string& name) const {
-  Frame frame{name, group.integer_attribute("step"), group.number_attribute("time"), {}};
+  Frame frame{name, group.integer_attribute("step"), group.number_attribute("time"), {}, {}};
   const auto read = [&](const Hdf5Group& from, const std::string& field, bool of_bonds) {
     const std::vector<std::size_t> shape = from.shape(field);
     FrameField found{field, shape.size() == 2 ? shape[1] : 1, of_bonds};
@@ -186,6 +198,13 @@ TrajectoryWriter::Frame TrajectoryWriter::read_frame(const Hdf5Group& group,
     frame.fields.push_back(std::move(found));
   };
   for (const std::string& field : group.names()) {
+    if (field == "tools") {
+      const Hdf5Group tools = group.group(field);
+      for (const std::string& tool : tools.names())
+        frame.surfaces.push_back(
+            {tool, tools.shape(tool + "/vertices").at(0), tools.shape(tool + "/facets").at(0)});
+      continue;
+    }
     if (field != "bonds") {
       read(group, field, false);
       continue;
@@ -193,7 +212,7 @@ TrajectoryWriter::Frame TrajectoryWriter::read_frame(const Hdf5Group& group,
     const Hdf5Group of_bonds = group.group(field);
     for (const std::string& bond_field : of_bonds.names()) read(of_bonds, bond_field, true);
   }
-  frame.sort_fields();
+  frame.sort();
   return frame;
 }
 
@@ -217,10 +236,12 @@ void TrajectoryWriter::insist_on_same(const Specimen& specimen) {
         found.size() == 3 * specimen.size() ? " at other places" : ""));
 }
 
-void TrajectoryWriter::Frame::sort_fields() {
+void TrajectoryWriter::Frame::sort() {
   std::sort(fields.begin(), fields.end(), [](const FrameField& a, const FrameField& b) {
     return std::tie(a.of_bonds, a.name) < std::tie(b.of_bonds, b.name);
   });
+  std::sort(surfaces.begin(), surfaces.end(),
+            [](const FrameSurface& a, const FrameSurface& b) { return a.name < b.name; });
 }
 
 std::string TrajectoryWriter::what_is_safe() const {
@@ -230,9 +251,11 @@ std::string TrajectoryWriter::what_is_safe() const {
                      frames_.back().step, frames_.size() == 1 ? "is" : "are");
 }
 
-void TrajectoryWriter::write_frame(std::int64_t step, double time,
-                                   const std::vector<Field>& fields) {
-  Frame frame{fmt::format("{:06}", next_), step, time, {}};
+void TrajectoryWriter::write_frame(std::int64_t step, double time, const std::vector<Field>& fields,
+                                   const std::vector<DrawnSurface>& surfaces) {
+  Frame frame{fmt::format("{:06}", next_), step, time, {}, {}};
+  for (const DrawnSurface& surface : surfaces)
+    frame.surfaces.push_back({surface.name, surface.vertices.size(), surface.facets.size()});
   for (const Field& field : fields)
     frame.fields.push_back(
         {field.name, static_cast<std::size_t>(field.components), field.of_bonds});
@@ -246,31 +269,35 @@ void TrajectoryWriter::write_frame(std::int64_t step, double time,
           for (std::size_t k = 0; k < fields.size(); ++k)
             file.write((fields[k].of_bonds ? "bonds/" : "") + fields[k].name, fields[k].values,
                        shape_of(rows(frame.fields[k]), frame.fields[k].components));
+          for (const DrawnSurface& surface : surfaces) {
+            const std::string group = "tools/" + surface.name;
+            file.write(group + "/vertices", coordinates(surface.vertices),
+                       {surface.vertices.size(), 3});
+            file.write(group + "/facets", surface.facets.front().data(),
+                       {surface.facets.size(), 3});
+          }
         },
         Seal::present);
   } catch (const RunError& error) {
     throw RunError(fmt::format("{}; {}", error.what(), what_is_safe()));
   }
-  frame.sort_fields();
+  frame.sort();
   frames_.push_back(std::move(frame));
   ++next_;
   write_index();
 }
 
 std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
-  const std::string folder = escaped(fs::path(folder_).filename().string());
   const auto item_of = [&](const std::string& source, const std::string& where,
                            const std::vector<std::size_t>& shape, const char* type) {
-    return fmt::format("<DataItem Format=\"HDF\" Dimensions=\"{}\" {}>{}/{}.h5:/{}</DataItem>",
-                       numbers(shape), type, folder, source, escaped(where));
+    return data_item(folder_, source, where, shape, type);
   };
   const auto at_rest = [&](const std::string& where, const std::vector<std::size_t>& shape,
                            const char* type) { return item_of(rest_name, where, shape, type); };
-  constexpr char real[] = "NumberType=\"Float\" Precision=\"8\"";
-  constexpr char integer[] = "NumberType=\"Int\" Precision=\"4\"";
 
-  std::string text =
-      fmt::format("      <Grid Name=\"step {}\" GridType=\"Uniform\">\n", frame.step);
+  const std::string grid =
+      frame.surfaces.empty() ? fmt::format("step {}", frame.step) : std::string("body");
+  std::string text = fmt::format("      <Grid Name=\"{}\" GridType=\"Uniform\">\n", grid);
   text += fmt::format("        <Time Value=\"{:.17g}\"/>\n", frame.time);
   if (lines_ > 0)
     text += fmt::format(
@@ -306,7 +333,27 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
                 shape_of(rows(field), field.components), real));
   }
   text += fmt::format("        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", place);
-  return text + attributes + "      </Grid>\n";
+  text += attributes + "      </Grid>\n";
+  if (frame.surfaces.empty()) return text;
+  // The body and the tools of one moment side by side.
+  std::string together = fmt::format(
+      "      <Grid Name=\"step {}\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
+      "        <Time Value=\"{:.17g}\"/>\n",
+      frame.step, frame.time);
+  together += text;
+  for (const FrameSurface& surface : frame.surfaces) together += xdmf_of(frame, surface);
+  return together + "      </Grid>\n";
+}
+
+std::string TrajectoryWriter::xdmf_of(const Frame& frame, const FrameSurface& surface) const {
+  const std::string group = "tools/" + surface.name;
+  return fmt::format(
+      "      <Grid Name=\"{}\" GridType=\"Uniform\">\n"
+      "        <Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n"
+      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n      </Grid>\n",
+      escaped(surface.name), surface.facets,
+      data_item(folder_, frame.name, group + "/facets", {surface.facets, 3}, integer),
+      data_item(folder_, frame.name, group + "/vertices", {surface.vertices, 3}, real));
 }
 
 void TrajectoryWriter::write_index() const {

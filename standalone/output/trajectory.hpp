@@ -6,17 +6,19 @@
 //                            /elements/index (N)      only if points are drawn
 //                            /bonds/pairs (B,2)       absent without bonds
 //   trajectory/000000.h5 ... attributes step, time; one dataset (N) or (N,c) per field; in a group
-//                            bonds, one (B) or (B,c) per field of the bonds
+//                            bonds, one (B) or (B,c) per field of the bonds; in groups tools/NAME
+//                            vertices (V,3), m, and facets (F,3), where there are tools
 //   trajectory.h5            all of it in one, by links: /elements, /bonds, /frames/000000 ...
 //   trajectory.xdmf          what ParaView opens: one grid for each frame, lines along the bonds
 //                            (points where there are none or the body is periodic), every field and
-//                            the radius at the elements
+//                            the radius at the elements; a grid for each tool beside it
 //
 // Each file is written whole and then never changed, or replaced in one step: all can be opened
 // while the run goes on and after it was killed. They end with a seal (output/seal.hpp).
 #ifndef SOLIDEM_OUTPUT_TRAJECTORY_HPP
 #define SOLIDEM_OUTPUT_TRAJECTORY_HPP
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -35,6 +37,13 @@ struct Field {
   bool of_bonds = false;
 };
 
+/// A surface of triangles beside the body.
+struct DrawnSurface {
+  std::string name;
+  const std::vector<Vector>& vertices;                     ///< m
+  const std::vector<std::array<std::int32_t, 3>>& facets;  ///< indices of vertices
+};
+
 /// Writes a trajectory, frame by frame.
 class TrajectoryWriter {
  public:
@@ -50,7 +59,8 @@ class TrajectoryWriter {
 
   /// Adds a frame. When it returns, file and index hold it and are on the disk. RunError names the
   /// file, the reason and the frames that are safe: a full disk costs only this frame.
-  void write_frame(std::int64_t step, double time, const std::vector<Field>& fields);
+  void write_frame(std::int64_t step, double time, const std::vector<Field>& fields,
+                   const std::vector<DrawnSurface>& surfaces = {});
 
   /// What resume found damaged, a sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -63,12 +73,17 @@ class TrajectoryWriter {
     std::size_t components;
     bool of_bonds;
   };
+  struct FrameSurface {
+    std::string name;
+    std::size_t vertices, facets;
+  };
   struct Frame {
     std::string name;
     std::int64_t step;
     double time;
     std::vector<FrameField> fields;
-    void sort_fields();  // so that an index is the same whether it was written or read
+    std::vector<FrameSurface> surfaces;
+    void sort();  // so that an index is the same whether it was written or read
   };
 
   struct Continuation {};
@@ -83,6 +98,7 @@ class TrajectoryWriter {
   std::size_t rows(const FrameField& field) const { return field.of_bonds ? bonds_ : elements_; }
   std::string what_is_safe() const;
   std::string xdmf_of(const Frame& frame) const;
+  std::string xdmf_of(const Frame& frame, const FrameSurface& surface) const;
   void write_index() const;
 
   std::string path_, folder_, run_;

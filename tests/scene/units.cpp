@@ -33,6 +33,8 @@ TEST(Units, ConvertToSi) {
   EXPECT_EQ(to_si("7.85 g/cm^3", dimension::density), 7850);
   EXPECT_EQ(to_si("7.85 kg/dm³", dimension::density), 7850);
   EXPECT_EQ(to_si("50 1/s", dimension::frequency), 50);
+  EXPECT_NEAR(to_si("60 rpm", dimension::angular_velocity), 6.283185307179586, 1e-14);
+  EXPECT_EQ(to_si("60 rad/s", dimension::angular_velocity), 60);
   EXPECT_EQ(to_si("5 %", dimension::number), 0.05);
   EXPECT_DOUBLE_EQ(to_si("180 degree", dimension::angle), 3.14159265358979323846);
 }
@@ -97,6 +99,8 @@ TEST(Units, RefuseWhatIsNoQuantityOfTheDimension) {
       {"134 W/mK", &dimension::conductivity},  // reads as a watt per millikelvin
       {"60 rpm", &dimension::frequency},       // 6.28 Hz to UDUNITS, which has pure radians
       {"60 rad/s", &dimension::frequency},
+      {"60 Hz", &dimension::angular_velocity},  // and the other way round
+      {"60 1/s", &dimension::angular_velocity},
       {"5 m/mm K", &dimension::number},
   };
   for (const auto& [quantity, dimension] : bad)

@@ -4,6 +4,7 @@
 #ifndef SOLIDEM_TESTS_SUPPORT_MESHES_HPP
 #define SOLIDEM_TESTS_SUPPORT_MESHES_HPP
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
