@@ -34,7 +34,7 @@ class Values:
 
 @dataclass
 class Specimen:
-    """Elements and bonds of one body; the order of elements is that of the file, in every code."""
+    """Elements and bonds of bodies; the order of elements is that of the file, in every code."""
 
     path: Path
     position: Floats  #: (N, 3) m
@@ -49,6 +49,7 @@ class Specimen:
     exchanges: dict[str, Values] = field(default_factory=dict)  #: conductances to the outside, W/K
     powers: dict[str, Values] = field(default_factory=dict)  #: constant heat sources, W
     conducting: Integers | None = None  #: (C, 2), i < j; None: the bonded pairs
+    bodies: int = 1  #: how many there are
 
     @property
     def conductors(self) -> Integers:
@@ -304,6 +305,7 @@ def read_specimen(path: str | Path) -> Specimen:
                 _values(loads.get("exchanges", {}), "conductance"),
                 _values(loads.get("powers", {}), "power"),
                 np.asarray(loads["pairs"][:], dtype=np.int64) if "pairs" in loads else None,
+                len(file["bodies"]) if "bodies" in file else 1,
             )
     except OSError as error:
         raise PreparedError(f"{path}: cannot be read as HDF5 ({error})") from error
@@ -349,8 +351,8 @@ def _known(kind: type, law: dict[str, Any] | None) -> Any:
 
 
 def _beams(law: dict[str, Any] | None, unsupported: list[str]) -> Beams | None:
-    """Beams of one material; moduli that depend on direction are unsupported."""
-    for name in ("anisotropy", "fibres"):
+    """Beams of one material; moduli that depend on direction or place are unsupported."""
+    for name in ("anisotropy", "fibres", "materials"):
         if law and law.get(name):
             unsupported.append(f"beams with {name} are not understood")
     if law and law.get("shear_modulus") is None:  # of a spring

@@ -77,6 +77,9 @@ def sphere_density(specimen: Specimen, explained: dict[str, Any]) -> Floats:
     sphere = 4 / 3 * np.pi * specimen.radius**3
     if "mechanics/mass" in specimen.columns:
         return specimen.column("mechanics/mass") / sphere
+    if specimen.bodies > 1:
+        raise PreparedError(f"{specimen.path}: {specimen.bodies} bodies, whose densities are those "
+                            "of one; prepare them from a scene in which they move")
     if specimen.volume <= 0:
         raise PreparedError(f"{specimen.path}: no volume of the body in /domain")
     return np.full(len(sphere), _density(explained) * specimen.volume / sphere.sum())

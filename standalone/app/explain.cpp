@@ -15,6 +15,7 @@
 #include "effects/heat_exchange.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "effects/turning_grip.hpp"
+#include "engine/body_figures.hpp"
 #include "engine/heat.hpp"
 #include "scene/body.hpp"
 #include "solve/heat/heat_integrator.hpp"
@@ -151,6 +152,7 @@ Json report_of(const Scene& scene, Simulation& simulation) {
                                  {"meaning", planned.column->meaning},
                                  {"asked_by", planned.asked_by}});
   report["elements"] = model.elements();
+  if (!model.specimen().bodies.empty()) report["bodies"] = body_figures(model);
   report["bonds"] = model.slots().bonds();
   report["slots"] = model.slots().rows() * lanes;
   report["unbonded_elements"] = simulation.unbonded();

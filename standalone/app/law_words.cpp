@@ -172,7 +172,9 @@ bool is_scene(const std::string& word) {
 
 /// The mean radius of a scene's elements, m; the body is made only where the recipe does not say
 /// it.
-double mean_radius_of(const SpecimenRecipe& recipe) {
+double mean_radius_of(const Scene& scene) {
+  if (!scene.bodies.empty()) return mean_radius(make_bodies(scene.bodies));
+  const SpecimenRecipe& recipe = scene.specimen;
   if (recipe.file.empty() && recipe.element_radius > 0) return recipe.element_radius;
   if (recipe.file.empty() && recipe.mean_radius > 0) return recipe.mean_radius;
   return mean_radius(make_specimen(recipe));
@@ -193,7 +195,7 @@ ShownLaw scene_law(const NamedLaw& named, const LawDefaults& defaults) {
   shown.range = forces.range;
   shown.interpenetration = forces.interpenetration;
   if (named.values.count("equilibrium") == 0 && defaults.equilibrium.empty())
-    shown.equilibrium = 2 * mean_radius_of(scene.specimen);
+    shown.equilibrium = 2 * mean_radius_of(scene);
   apply_common(shown, named, defaults);
   return shown;
 }

@@ -8,7 +8,7 @@ using RadiusFrom = BeamParameters::RadiusFrom;
 
 bool beams_are_alike(const BeamParameters& parameters) {
   return parameters.radius_from == RadiusFrom::mean && parameters.law != Law::timoshenko &&
-         !parameters.anisotropy && !parameters.fibres;
+         !parameters.anisotropy && !parameters.fibres && parameters.materials.empty();
 }
 
 namespace {
@@ -30,18 +30,32 @@ void orient(const Anisotropy& grain, const Vector& direction, BeamSection<double
 
 }  // namespace
 
+namespace {
+
+BeamElasticity rest_of(const BeamParameters& p) {
+  return {p.young_modulus, p.shear_modulus, p.radius_ratio};
+}
+
+BeamMaterialTable table_of(const BeamParameters& p, const Specimen& specimen) {
+  if (p.materials.empty()) return {};
+  return {rest_of(p), p.materials, p.interfaces, specimen};
+}
+
+}  // namespace
+
 BeamProperties::BeamProperties(const BeamParameters& parameters, const Specimen& specimen)
     : parameters_(parameters),
+      materials_(table_of(parameters, specimen)),
       mean_radius_(mean_radius(specimen)),
       bond_tolerance_(specimen.bond_tolerance),
       contact_margin_(specimen.contact_margin) {}
 
-BeamSection<double> BeamProperties::section(double radius_i, double radius_j,
-                                            const Vector& chord) const {
+BeamSection<double> BeamProperties::section(const BeamElasticity& made_of, double radius_i,
+                                            double radius_j, const Vector& chord) const {
   const double radius =
       parameters_.radius_from == RadiusFrom::mean ? mean_radius_ : 0.5 * (radius_i + radius_j);
-  BeamSection<double> section{parameters_.young_modulus, parameters_.shear_modulus,
-                              parameters_.radius_ratio * radius};
+  BeamSection<double> section{made_of.young_modulus, made_of.shear_modulus,
+                              made_of.radius_ratio * radius};
   if (parameters_.fibres &&
       is_fibre(radius_i, radius_j, norm(chord), bond_tolerance_, contact_margin_)) {
     section.young_modulus *= parameters_.fibres->stiffness_ratio;
@@ -52,9 +66,21 @@ BeamSection<double> BeamProperties::section(double radius_i, double radius_j,
   return section;
 }
 
-BeamSection<double> BeamProperties::section(const Specimen& specimen, Pair pair) const {
-  return section(specimen.radius[static_cast<std::size_t>(pair.i)],
-                 specimen.radius[static_cast<std::size_t>(pair.j)], rest_chord(specimen, pair));
+BeamSection<double> BeamProperties::section(const Specimen& specimen, Pair pair,
+                                            const Vector& chord) const {
+  return section(
+      parameters_.materials.empty() ? rest_of(parameters_) : materials_.between(pair.i, pair.j),
+      specimen.radius[static_cast<std::size_t>(pair.i)],
+      specimen.radius[static_cast<std::size_t>(pair.j)], chord);
+}
+
+BeamSection<double> BeamProperties::section(double radius_i, double radius_j,
+                                            const Vector& chord) const {
+  return section(rest_of(parameters_), radius_i, radius_j, chord);
+}
+
+BeamSection<double> BeamProperties::common_section() const {
+  return section(mean_radius_, mean_radius_, {1, 0, 0});
 }
 
 BeamRigidity<double> BeamProperties::rigidity(const BeamSection<double>& section,

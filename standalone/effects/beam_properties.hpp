@@ -19,14 +19,26 @@ class BeamProperties {
 
   /// The section of the beam between two elements of the specimen that this was made of. `chord`:
   /// from i to j at rest.
+  BeamSection<double> section(const Specimen& specimen, Pair pair, const Vector& chord) const;
+  BeamSection<double> section(const Specimen& specimen, Pair pair) const {
+    return section(specimen, pair, rest_chord(specimen, pair));
+  }
+
+  /// The same of beams outside of all regions, wherever the elements stand.
   BeamSection<double> section(double radius_i, double radius_j, const Vector& chord) const;
-  BeamSection<double> section(const Specimen& specimen, Pair pair) const;
+
+  /// That of a beam along x between elements of mean radius, outside of all regions.
+  BeamSection<double> common_section() const;
 
   /// Its stiffness times its rest length.
   BeamRigidity<double> rigidity(const BeamSection<double>& section, double rest_length) const;
 
  private:
   BeamParameters parameters_;
+  BeamSection<double> section(const BeamElasticity& made_of, double radius_i, double radius_j,
+                              const Vector& chord) const;
+
+  BeamMaterialTable materials_;  ///< empty: one for all
   double mean_radius_, bond_tolerance_, contact_margin_;
 };
 

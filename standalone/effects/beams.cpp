@@ -98,7 +98,7 @@ Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model&
       properties_(demands.elasticity, model.specimen()),
       mean_radius_(mean_radius(model.specimen())) {
   const Specimen& specimen = model.specimen();
-  section_ = properties_.section(mean_radius_, mean_radius_, {1, 0, 0});
+  section_ = properties_.common_section();
   rigidity_ = properties_.rigidity(section_, 1);
 
   double* poses[] = {model.data(columns::pose), model.next(columns::pose)};
@@ -137,9 +137,7 @@ NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
   const Quaternion<double> q_i = pose_orientation(row_i), q_j = pose_orientation(row_j);
   const double length = norm(chord);
   const Vector direction = (1 / length) * chord;
-  const BeamSection<double> section =
-      properties_.section(specimen.radius[static_cast<std::size_t>(i)],
-                          specimen.radius[static_cast<std::size_t>(j)], chord);
+  const BeamSection<double> section = properties_.section(specimen, {i, j}, chord);
   Vector image_shift{};
   if (model.has(columns::image_shift)) {
     // A whole number of periods, so that it is exact and the two sides' shifts are opposite.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
+#include "effects/beam_material_keys.hpp"
 #include "effects/beams.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
@@ -102,7 +103,7 @@ using Law = BeamParameters::Law;
 using RadiusFrom = BeamParameters::RadiusFrom;
 using Precision = BeamParameters::Precision;
 
-std::vector<Key> beams_keys(BeamParameters& p, Reading& /*reading*/) {
+std::vector<Key> beams_keys(BeamParameters& p, Reading& reading) {
   return {
       may_have("law", choice<Law>(p.law, {{"euler-bernoulli", Law::euler_bernoulli},
                                           {"timoshenko", Law::timoshenko},
@@ -133,7 +134,13 @@ std::vector<Key> beams_keys(BeamParameters& p, Reading& /*reading*/) {
           .without("all directions alike"),
       may_have("fibres", fibres_section(p))
           .means("bonds beyond contact along a direction, see below")
-          .without("none")};
+          .without("none"),
+      may_have("material", beam_materials_section(p, reading.regions))
+          .means("beams of regions that are of another material, see below")
+          .without("none"),
+      may_have("interface", beam_interfaces_section(p))
+          .means("beams between elements of two materials, see below")
+          .without("each in series of its two materials")};
 }
 
 void finish_beams(const Section& section, BeamParameters& p, Reading& /*reading*/) {
@@ -142,7 +149,9 @@ void finish_beams(const Section& section, BeamParameters& p, Reading& /*reading*
                    "law = \"timoshenko\" beside it");
   if (p.precision == Precision::mixed && (p.law != Law::euler_bernoulli || !beams_are_alike(p)))
     section.refuse("precision", "only Euler-Bernoulli beams that are all alike",
-                   "precision = \"double\", or radius_from = \"mean\" and no grain or fibres");
+                   "precision = \"double\", or radius_from = \"mean\" and no grain, fibres or "
+                   "materials");
+  finish_beam_materials(section, p);
   if (p.law == Law::spring) {
     for (const char* key : {"poisson_ratio", "shear_modulus"})
       if (section.has(key))
@@ -176,6 +185,7 @@ void plan_beams(const Setup& setup, Plan& plan) {
   std::string reason = "[beams]";
   if (beams->anisotropy) reason += " [beams.anisotropy]";
   if (beams->fibres) reason += " [beams.fibres]";
+  if (!beams->materials.empty()) reason += " [[beams.material]]";
   if (demands.plasticity) reason += " [plasticity]";
   plan.effects.push_back({"beams", reason, beam_kernel(demands, plan.periodic), Phase::move,
                           [demands](Assembly& assembly) {
@@ -224,6 +234,12 @@ EffectKind beams_kind() {
     keys(visit);
     visit("beams.anisotropy", anisotropy_keys(grain));
     visit("beams.fibres", fibre_keys(fibres));
+    EmptyReading empty;
+    BeamMaterial material;
+    BeamInterface interface;
+    std::vector<std::string> between;
+    visit("[beams.material]", beam_material_keys(material, empty.reading.taken, empty.regions));
+    visit("[beams.interface]", beam_interface_keys(interface, between));
   };
   kind.explain = [values = kind.explain](const Setup& setup, const Specimen& specimen, Json& json) {
     const BeamParameters& beams = *setup.get<BeamParameters>();
@@ -231,6 +247,7 @@ EffectKind beams_kind() {
     json["mean_radius"] = mean_radius(specimen);
     if (beams.anisotropy) json["anisotropy"] = to_json(*beams.anisotropy);
     if (beams.fibres) json["fibres"] = to_json(*beams.fibres);
+    explain_beam_materials(beams, json);
   };
   return kind;
 }

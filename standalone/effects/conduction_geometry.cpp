@@ -51,11 +51,25 @@ ConductionGeometry conduction_geometry(ConductionParameters::Law law, const Spec
                                                    : platonic_geometry(specimen);
 }
 
-void calibrate(ConductionGeometry& geometry, double area_factor, double body_volume) {
+namespace {
+
+/// Scales the volumes of some elements so that they sum to another one.
+template <class Elements>
+void fill(std::vector<double>& volume, const Elements& elements, double whole) {
+  double sum = 0;
+  for (const auto i : elements) sum += volume[static_cast<std::size_t>(i)];
+  for (const auto i : elements) volume[static_cast<std::size_t>(i)] *= whole / sum;
+}
+
+}  // namespace
+
+void calibrate(ConductionGeometry& geometry, double area_factor, const Specimen& specimen) {
   geometry.area_factor *= area_factor;
   for (double& area : geometry.transmission_area) area *= area_factor;
-  const double volume = std::accumulate(geometry.volume.begin(), geometry.volume.end(), 0.0);
-  for (double& v : geometry.volume) v *= body_volume / volume;
+  std::vector<std::size_t> all(specimen.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  if (specimen.bodies.empty()) fill(geometry.volume, all, specimen.domain.volume);
+  for (const Body& body : specimen.bodies) fill(geometry.volume, body.elements, body.volume);
 }
 
 }  // namespace solidem

@@ -35,8 +35,8 @@ struct ConductionGeometry {
 /// the specimen cannot be tessellated.
 ConductionGeometry conduction_geometry(ConductionParameters::Law law, const Specimen& specimen);
 
-/// Scales areas by a factor and volumes to the body's.
-void calibrate(ConductionGeometry& geometry, double area_factor, double body_volume);
+/// Scales areas by a factor and volumes to those of the bodies.
+void calibrate(ConductionGeometry& geometry, double area_factor, const Specimen& specimen);
 
 }  // namespace solidem
 

@@ -106,9 +106,7 @@ void ElementContacts::refuse_overlaps() const {
 
 double ElementContacts::section(Pair pair, const Vector& chord) const {
   if (const BrokenBond* bond = broken_bond(pair)) return bond->section;
-  const std::vector<double>& radius = model_.specimen().radius;
-  return beam_area(beams_->properties().section(radius[static_cast<std::size_t>(pair.i)],
-                                                radius[static_cast<std::size_t>(pair.j)], chord));
+  return beam_area(beams_->properties().section(model_.specimen(), pair, chord));
 }
 
 double ElementContacts::stiffness(Pair pair, const Vector& chord) const {
@@ -119,7 +117,7 @@ double ElementContacts::stiffness(Pair pair, const Vector& chord) const {
   if (law_.young_modulus) return 2 * *law_.young_modulus * r_i * r_j / (r_i + r_j);
   if (const BrokenBond* bond = broken_bond(pair))
     return parameters_.stiffness_ratio * bond->axial_stiffness;
-  const BeamSection<double> beam = beams_->properties().section(r_i, r_j, chord);
+  const BeamSection<double> beam = beams_->properties().section(model_.specimen(), pair, chord);
   return parameters_.stiffness_ratio * beam.young_modulus * beam_area(beam) / (r_i + r_j);
 }
 

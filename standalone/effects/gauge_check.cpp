@@ -14,6 +14,12 @@ void check_gauge(const Gauge& gauge, const Domain& domain) {
     throw InputError("[gauge] axis = \"" + axis + "\": the body is periodic along " + axis +
                      ", so that forces pass from one end to the other; expected an axis along "
                      "which it ends");
+  if (domain.cuts > 0 || domain.is_sphere() || domain.shape == "mesh" || domain.shape == "bodies")
+    throw InputError(
+        "[gauge]: a gauge divides forces by the section of the body, which has not one "
+        "section (" +
+        (domain.cuts > 0 ? std::string("something was cut out of it") : domain.shape) +
+        "); expected no gauge: grips tell forces, sensors displacements");
   const double low = component(domain.lower, gauge.axis),
                high = component(domain.upper, gauge.axis);
   const double margin = 1e-9 * (high - low);

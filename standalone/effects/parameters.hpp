@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "effects/beam_materials.hpp"
 #include "laws/bond_limit.hpp"
 #include "laws/central_laws.hpp"
 #include "laws/oriented_modulus.hpp"
@@ -60,7 +61,9 @@ struct BeamParameters {
   RadiusFrom radius_from = RadiusFrom::mean;
   std::optional<Anisotropy> anisotropy;
   std::optional<Fibres> fibres;
-  std::optional<double> poisson_ratio{};  ///< where it is given in place of the shear modulus
+  std::optional<double> poisson_ratio{};    ///< where it is given in place of the shear modulus
+  std::vector<BeamMaterial> materials{};    ///< of regions; elsewhere the figures above hold
+  std::vector<BeamInterface> interfaces{};  ///< that are not in series
 };
 
 /// Plastic flow of beam bonds.

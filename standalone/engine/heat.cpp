@@ -14,7 +14,7 @@ ConductionGeometry scaled_geometry(const ConductionParameters& parameters, const
   ConductionGeometry geometry = conduction_geometry(parameters.law, specimen);
   if (parameters.law == ConductionParameters::Law::platonic_calibrated)
     calibrate(geometry, area_factor ? *area_factor : 1 / relative_conductivity(geometry, specimen),
-              specimen.domain.volume);
+              specimen);
   return geometry;
 }
 

@@ -13,6 +13,7 @@
 
 #include "effects/beams.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "engine/body_figures.hpp"
 #include "engine/heat.hpp"
 #include "engine/interrupt_watch.hpp"
 #include "model/error.hpp"
@@ -336,6 +337,7 @@ class Recorder {
       summary["effects"].push_back(effect.name);
     summary["notes"] = notes_;
     summary["elements"] = model.elements();
+    if (!model.specimen().bodies.empty()) summary["bodies"] = body_figures(model);
     summary["bonds"] = model.slots().bonds();
     summary["unbonded_elements"] = simulation_.unbonded();
     summary["first_step"] = first_step_;

@@ -10,14 +10,27 @@ namespace solidem {
 namespace {
 
 const char* const any_region =
-    "a region: {axis, side, depth or layers}, {lower, upper}, {set} or {all = true}";
+    "a region: {axis, side, depth or layers}, {lower, upper}, {set}, {body} or {all = true}";
 
-void read_face(const Section& section, Region& region) {
+Key body_key(std::string& target, const NamedRegions& named) {
+  const Rule any = text(target);
+  return may_have("body", {"the name of a [[body]]", [&target, &named, any](const Value& value) {
+                             any.read(value);
+                             const auto& known = named.bodies;
+                             if (std::find(known.begin(), known.end(), target) != known.end())
+                               return;
+                             value.refuse(
+                                 "no such body" + did_you_mean(target, known),
+                                 known.empty() ? "a scene with [[body]]" : "one of " + join(known));
+                           }});
+}
+
+void read_face(const Section& section, Region& region, const NamedRegions& named) {
   region.kind = Region::Kind::face;
   section.read({must_have("axis", axis(region.axis)),
                 must_have("side", choice<bool>(region.high_side, {{"low", false}, {"high", true}})),
                 may_have("depth", quantity(region.depth, dimension::length, positive)),
-                may_have("layers", number(region.layers, positive))},
+                may_have("layers", number(region.layers, positive)), body_key(region.body, named)},
                "a region at a face");
   section.exactly_one_of({"depth", "layers"});
 }
@@ -31,9 +44,10 @@ Rule bound(Vector& target) {
   });
 }
 
-void read_box(const Section& section, Region& region) {
+void read_box(const Section& section, Region& region, const NamedRegions& named) {
   region.kind = Region::Kind::box;
-  section.read({may_have("lower", bound(region.lower)), may_have("upper", bound(region.upper))},
+  section.read({may_have("lower", bound(region.lower)), may_have("upper", bound(region.upper)),
+                body_key(region.body, named)},
                "a region by a box");
   for (int k = 0; k < 3; ++k)
     if (component(region.upper, k) <= component(region.lower, k))
@@ -59,9 +73,10 @@ void read_named(const Section& section, Region& region, const NamedRegions& name
   region.set = name;
 }
 
-void read_all(const Section& section, Region& region) {
+void read_all(const Section& section, Region& region, const NamedRegions& named) {
   bool all = true;
-  section.read({must_have("all", flag(all))}, "a region of all elements");
+  section.read({may_have("all", flag(all)), body_key(region.body, named)},
+               "a region of all elements");
   if (!all) section.refuse("all", "a region of nothing", "all = true");
   region.kind = Region::Kind::all;
 }
@@ -75,12 +90,12 @@ Region read_region(const Value& value, const NamedRegions& named) {
   Region region;
   if (has_one_of({"set"}))
     read_named(section, region, named);
-  else if (has_one_of({"all"}))
-    read_all(section, region);
   else if (has_one_of({"lower", "upper"}))
-    read_box(section, region);
+    read_box(section, region, named);
   else if (has_one_of({"axis", "side", "depth", "layers"}))
-    read_face(section, region);
+    read_face(section, region, named);
+  else if (has_one_of({"all", "body"}))
+    read_all(section, region, named);
   else
     value.refuse("not a region", any_region);
   return region;
@@ -95,7 +110,7 @@ Rule region(Region& target, const NamedRegions& named) {
 
 Rule sets_section(NamedRegions& named) {
   return table([&named](const Section& section) {
-    const NamedRegions of_file{{}, named.specimen_is_file};
+    const NamedRegions of_file{{}, named.specimen_is_file, named.bodies};
     std::map<std::string, Region> regions;
     section.for_each([&](const std::string& name, const Value& value) {
       regions[name] = read_region(value, of_file);

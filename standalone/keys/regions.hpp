@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "keys/section.hpp"
 #include "model/region.hpp"
@@ -14,10 +15,12 @@ namespace solidem {
 /// file.
 struct NamedRegions {
   std::map<std::string, Region> of_scene;
-  bool specimen_is_file = false;  ///< a packing made from a recipe has no sets of its own
+  bool specimen_is_file = false;      ///< a packing made from a recipe has no sets of its own
+  std::vector<std::string> bodies{};  ///< names of [[body]]
 };
 
-/// {axis, side, depth | layers}, {lower, upper}, {set} or {all = true}. `named` must be filled by
+/// {axis, side, depth | layers}, {lower, upper}, {set} or {all = true}; but for a set, each of them
+/// may name the body that it is meant of, and {body} alone is all of it. `named` must be filled by
 /// the time the rule reads. Sets of the specimen file stay to be found when the file is read.
 Rule region(Region& target, const NamedRegions& named);
 

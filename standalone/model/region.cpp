@@ -19,9 +19,42 @@ std::string known_sets(const Specimen& specimen) {
   return names;
 }
 
+/// The body of a name.
+const Body& body_called(const std::string& name, const Specimen& specimen) {
+  std::string known;
+  for (const Body& body : specimen.bodies) {
+    if (body.name == name) return body;
+    known += (known.empty() ? "" : ", ") + body.name;
+  }
+  throw InputError("no body \"" + name + "\": " +
+                   (known.empty() ? "the specimen is one body without a name"
+                                  : "the specimen's bodies are " + known));
+}
+
+/// What a region of a body needs to know of the rest: that body as if it were alone.
+Specimen alone(const Body& body, const Specimen& specimen) {
+  Specimen part;
+  for (const std::int32_t element : body.elements) {
+    part.position.push_back(specimen.position[static_cast<std::size_t>(element)]);
+    part.radius.push_back(specimen.radius[static_cast<std::size_t>(element)]);
+  }
+  part.domain.lower = body.lower;
+  part.domain.upper = body.upper;
+  return part;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> select(const Region& region, const Specimen& specimen) {
+  if (!region.body.empty()) {
+    const Body& body = body_called(region.body, specimen);
+    Region there = region;
+    there.body.clear();
+    std::vector<std::int32_t> elements = select(there, alone(body, specimen));
+    for (std::int32_t& element : elements)
+      element = body.elements[static_cast<std::size_t>(element)];
+    return elements;
+  }
   if (region.kind == Region::Kind::set) {
     const auto found = specimen.sets.find(region.set);
     if (found == specimen.sets.end())

@@ -27,6 +27,7 @@ struct Region {
   Vector lower{-infinity, -infinity, -infinity},
       upper{infinity, infinity, infinity};  ///< of a box, m
   std::string set;                          ///< name of a set of the specimen
+  std::string body{};                       ///< of this body alone, and of its faces; empty: of all
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 };

@@ -77,6 +77,7 @@ std::size_t lines_to_draw(const Specimen& specimen) {
 void write_rest(const Hdf5File& file, const Specimen& specimen) {
   file.write("elements/position", coordinates(specimen.position), {specimen.size(), 3});
   file.write("elements/radius", specimen.radius);
+  if (!specimen.bodies.empty()) file.write("elements/body", body_of_elements(specimen));
   if (!specimen.bonds.empty())
     file.write("bonds/pairs", &specimen.bonds.front().i, {specimen.bonds.size(), 2});
   if (lines_to_draw(specimen) == 0) {
@@ -127,7 +128,8 @@ TrajectoryWriter::TrajectoryWriter(Continuation, const std::string& path, const 
       run_(std::move(run)),
       elements_(specimen.size()),
       bonds_(specimen.bonds.size()),
-      lines_(lines_to_draw(specimen)) {}
+      lines_(lines_to_draw(specimen)),
+      has_bodies_(!specimen.bodies.empty()) {}
 
 TrajectoryWriter::TrajectoryWriter(const std::string& path, const Specimen& specimen,
                                    std::string run)
@@ -315,6 +317,11 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
       "        <Attribute Name=\"radius\" AttributeType=\"Scalar\" "
       "Center=\"Node\">{}</Attribute>\n",
       at_rest("elements/radius", {elements_}, real));
+  if (has_bodies_)
+    attributes += fmt::format(
+        "        <Attribute Name=\"body\" AttributeType=\"Scalar\" "
+        "Center=\"Node\">{}</Attribute>\n",
+        at_rest("elements/body", {elements_}, integer));
   for (const FrameField& field : frame.fields) {
     if (field.name == "position") {
       place = item_of(frame.name, field.name, {elements_, 3}, real);

@@ -3,6 +3,7 @@
 // Trajectories: the whole body at a few moments, as HDF5 with an XDMF index beside it.
 //
 //   trajectory/rest.h5       /elements/position (N,3), /elements/radius (N)  at rest, m
+//                            /elements/body (N)       number from 0, only if there are several
 //                            /elements/index (N)      only if points are drawn
 //                            /bonds/pairs (B,2)       absent without bonds
 //   trajectory/000000.h5 ... attributes step, time; one dataset (N) or (N,c) per field; in a group
@@ -103,7 +104,8 @@ class TrajectoryWriter {
 
   std::string path_, folder_, run_;
   std::size_t elements_, bonds_, lines_;  // lines drawn: bonds, or 0 to draw points
-  std::size_t next_ = 0;                  // number of the next frame
+  bool has_bodies_;
+  std::size_t next_ = 0;  // number of the next frame
   std::vector<Frame> frames_;
   std::vector<std::string> notes_;
 };

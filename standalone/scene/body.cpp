@@ -16,9 +16,11 @@
 namespace solidem {
 
 Specimen make_body(const Scene& scene, const ReportProgress& progress) {
-  Specimen specimen = make_specimen(scene.specimen, progress);
-  const bool from_file = !scene.specimen.file.empty();
-  if (scene.setup.get<CentralForceParameters>()) {
+  Specimen specimen = scene.bodies.empty() ? make_specimen(scene.specimen, progress)
+                                           : make_bodies(scene.bodies, progress);
+  const bool from_file = scene.takes_file();
+  if (const auto& forces = scene.setup.get<CentralForceParameters>()) {
+    if (!specimen.bodies.empty()) check_apart(specimen, forces->range);
     // The neighbours at the start; in a small cell there may be several images of one.
     make_bonds(specimen, scene.setup.get<CentralForceParameters>()->bond_tolerance,
                BondImages::several);

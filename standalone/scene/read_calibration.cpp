@@ -61,6 +61,9 @@ Rule calibration_section(std::optional<CalibrationRequest>& calibration,
                          std::optional<OrthotropicRequest>& orthotropic,
                          const std::optional<BeamParameters>& beams) {
   return table([&calibration, &orthotropic, &beams](const Section& section) {
+    if (beams && !beams->materials.empty())
+      section.refuse("there are several materials of beams",
+                     "one, in [beams]; each material is calibrated alone");
     if (asks_for_orthotropic_calibration(section)) {
       orthotropic = read_orthotropic_calibration(section, beams);
       return;

@@ -23,13 +23,14 @@ std::vector<Key> packing_keys(SpecimenRecipe& recipe) {
           may_have("radius_spread", number(recipe.radius_spread, Range{0, 0.5}))};
 }
 
-std::vector<Key> frame_keys(SpecimenRecipe& recipe) {
+std::vector<Key> frame_keys(SpecimenRecipe& recipe, const std::string& scene_file) {
   return {
       may_have("periodic", triple("true or false",
                                   [&recipe](const Value& entry, int k) {
                                     flag(recipe.periodic[static_cast<std::size_t>(k)]).read(entry);
                                   })),
-      may_have("origin", vector(recipe.origin, dimension::length))};
+      may_have("origin", vector(recipe.origin, dimension::length)),
+      may_have("cut", cuts_section(recipe.cuts, scene_file))};
 }
 
 std::vector<Key> box_keys(SpecimenRecipe& recipe) {
@@ -50,6 +51,16 @@ std::vector<Key> cylinder_keys(SpecimenRecipe& recipe) {
   return {must_have("length", quantity(recipe.length, dimension::length, positive)),
           must_have("radius", quantity(recipe.radius, dimension::length, positive)),
           axis_key(recipe)};
+}
+
+std::vector<Key> sphere_keys(SpecimenRecipe& recipe) {
+  return {must_have("radius", quantity(recipe.radius, dimension::length, positive))};
+}
+
+// Files of meshes are found beside the scene.
+std::vector<Key> mesh_keys(SpecimenRecipe& recipe, const std::string& scene_file) {
+  return {must_have("mesh", path(recipe.mesh, scene_file)),
+          must_have("mesh_unit", quantity(recipe.mesh_unit, dimension::length, positive))};
 }
 
 std::vector<Key> annulus_keys(SpecimenRecipe& recipe) {
@@ -97,12 +108,19 @@ bool is_too_large(const std::array<int, 3>& cells) {
 const std::map<std::string, std::vector<Key> (*)(SpecimenRecipe&)>& shape_keys() {
   static const std::map<std::string, std::vector<Key> (*)(SpecimenRecipe&)> keys = {
       {"box", box_keys},         {"plate", plate_keys}, {"cylinder", cylinder_keys},
-      {"annulus", annulus_keys}, {"wedge", wedge_keys}, {"crystal", crystal_keys}};
+      {"annulus", annulus_keys}, {"wedge", wedge_keys}, {"sphere", sphere_keys},
+      {"crystal", crystal_keys}};
   return keys;
 }
 
 void check_body(const Section& section, const SpecimenRecipe& recipe) {
   if (recipe.shape.empty() || recipe.shape == "box" || recipe.shape == "plate") return;
+  if (recipe.shape == "sphere" || recipe.shape == "mesh") {
+    for (const bool periodic : recipe.periodic)
+      if (periodic)
+        section.refuse("periodic", "a " + recipe.shape + " has walls all round", "no such key");
+    return;
+  }
   if (recipe.inner_radius > 0 && !(recipe.inner_radius < recipe.radius))
     section.refuse("inner_radius", "the hole is as wide as the body",
                    "a length below outer_radius");
@@ -121,12 +139,15 @@ void check_recipe(const Section& section, const SpecimenRecipe& recipe) {
   check_body(section, recipe);
 }
 
-void read_recipe(const Section& section, SpecimenRecipe& recipe) {
+void read_recipe(const Section& section, SpecimenRecipe& recipe, const std::string& scene_file,
+                 const std::vector<Key>& more) {
   const Rule shape = choice<std::string>(recipe.shape, {{"box", "box"},
                                                         {"plate", "plate"},
                                                         {"cylinder", "cylinder"},
                                                         {"annulus", "annulus"},
                                                         {"wedge", "wedge"},
+                                                        {"sphere", "sphere"},
+                                                        {"mesh", "mesh"},
                                                         {"crystal", "crystal"}});
   section.read_one(may_have("shape", shape));
 
@@ -136,23 +157,30 @@ void read_recipe(const Section& section, SpecimenRecipe& recipe) {
     keys = {may_have("file", text(recipe.file)), must_have("shape", shape, "or file")};
     for (const auto& entry : shape_keys())
       for (const Key& key : entry.second(recipe)) append_once(keys, may_have(key.name, key.rule));
+    for (const Key& key : mesh_keys(recipe, scene_file))
+      append_once(keys, may_have(key.name, key.rule));
+  } else if (recipe.shape == "mesh") {
+    for (const Key& key : mesh_keys(recipe, scene_file)) append_once(keys, key);
   } else {
     for (const Key& key : shape_keys().at(recipe.shape)(recipe)) append_once(keys, key);
   }
   if (recipe.shape != "crystal")
     for (const Key& key : packing_keys(recipe)) append_once(keys, key);
-  for (const Key& key : frame_keys(recipe)) append_once(keys, key);
+  for (const Key& key : frame_keys(recipe, scene_file)) append_once(keys, key);
+  keys.insert(keys.end(), more.begin(), more.end());
   section.read(keys, recipe.shape.empty() ? "" : "a specimen of shape " + recipe.shape);
   check_recipe(section, recipe);
 }
 
 /// A file, and the body of its spheres where it does not tell that itself.
-void read_file(const Section& section, SpecimenRecipe& recipe, const std::string& scene_file) {
+void read_file(const Section& section, SpecimenRecipe& recipe, const std::string& scene_file,
+               const std::vector<Key>& more) {
   const Rule shape = choice<std::string>(recipe.shape, {{"box", "box"},
                                                         {"plate", "plate"},
                                                         {"cylinder", "cylinder"},
                                                         {"annulus", "annulus"},
-                                                        {"wedge", "wedge"}});
+                                                        {"wedge", "wedge"},
+                                                        {"sphere", "sphere"}});
   section.read_one(may_have("shape", shape));
   section.at_most_one_of({"volume", "shape"});
   std::vector<Key> keys = {must_have("file", path(recipe.file, scene_file)),
@@ -160,8 +188,10 @@ void read_file(const Section& section, SpecimenRecipe& recipe, const std::string
                            may_have("shape", shape)};
   if (!recipe.shape.empty()) {
     for (const Key& key : shape_keys().at(recipe.shape)(recipe)) append_once(keys, key);
-    for (const Key& key : frame_keys(recipe)) append_once(keys, key);
+    for (const Key& key : frame_keys(recipe, scene_file)) append_once(keys, key);
   }
+  append_once(keys, may_have("cut", cuts_section(recipe.cuts, scene_file)));
+  keys.insert(keys.end(), more.begin(), more.end());
   section.read(keys, recipe.shape.empty() ? "a specimen from a file"
                                           : "a specimen from a file, of shape " + recipe.shape);
   check_body(section, recipe);
@@ -169,12 +199,17 @@ void read_file(const Section& section, SpecimenRecipe& recipe, const std::string
 
 }  // namespace
 
+void read_specimen(const Section& section, SpecimenRecipe& recipe, const std::string& scene_file,
+                   const std::vector<Key>& more) {
+  if (section.has("file"))
+    read_file(section, recipe, scene_file, more);
+  else
+    read_recipe(section, recipe, scene_file, more);
+}
+
 Rule specimen_section(SpecimenRecipe& recipe, const std::string& scene_file) {
   return table([&recipe, scene_file](const Section& section) {
-    if (section.has("file"))
-      read_file(section, recipe, scene_file);
-    else
-      read_recipe(section, recipe);
+    read_specimen(section, recipe, scene_file, {});
   });
 }
 

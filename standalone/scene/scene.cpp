@@ -93,6 +93,12 @@ std::vector<Key> effect_keys(Setup& setup, const NamedRegions& named,
 
 }  // namespace
 
+bool Scene::takes_file() const {
+  return !specimen.file.empty() ||
+         std::any_of(bodies.begin(), bodies.end(),
+                     [](const BodyRecipe& body) { return !body.recipe.file.empty(); });
+}
+
 Scene read_scene(const std::string& path) {
   const std::string content = scene_text(path);
   const toml::table file = parse(content, path);
@@ -114,14 +120,25 @@ Scene read_scene(const std::string& path) {
     return effects.motion || effects.heat ? must_have(key, rule) : may_have(key, rule);
   };
   const Rule specimen = specimen_section(scene.specimen, path);
+  const Rule bodies = bodies_section(scene.bodies, path);
+  const Rule one_body{specimen.expected, [&](const Value& value) {
+                        specimen.read(value);
+                        named.specimen_is_file = scene.takes_file();
+                      }};
+  const Rule several_bodies{bodies.expected, [&](const Value& value) {
+                              bodies.read(value);
+                              named.specimen_is_file = scene.takes_file();
+                              for (const BodyRecipe& body : scene.bodies)
+                                named.bodies.push_back(body.name);
+                            }};
+  if (root.has("body")) root.at_most_one_of({"specimen", "body"});
   std::vector<Key> keys{
       may_have("title", text(scene.title)),
-      must_have("specimen", {specimen.expected,
-                             [&](const Value& value) {
-                               specimen.read(value);
-                               named.specimen_is_file = !scene.specimen.file.empty();
-                             }}),
-      may_have("bonds", bonds_section(scene.bond_tolerance)), may_have("sets", sets_section(named)),
+      root.has("body") ? may_have("specimen", one_body)
+                       : must_have("specimen", one_body, "or several [[body]]"),
+      may_have("body", several_bodies),
+      may_have("bonds", bonds_section(scene.bond_tolerance)),
+      may_have("sets", sets_section(named)),
       with_effects("material", material_section(setup.materials, named, effects))};
   for (const Key& key : effect_keys(setup, named, scene.bond_tolerance)) keys.push_back(key);
   const std::vector<Key> others{
@@ -135,6 +152,8 @@ Scene read_scene(const std::string& path) {
       may_have("output", output_section(setup.output))};
   keys.insert(keys.end(), others.begin(), others.end());
   root.read(keys);
+  if (root.has("calibration") && root.has("body"))
+    root.refuse("calibration", "there are several bodies", "one body, in a section [specimen]");
   check_effects(root);
   scene.record = std::move(*record);
   return scene;

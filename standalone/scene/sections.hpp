@@ -13,7 +13,7 @@
 #include "keys/regions.hpp"
 #include "keys/section.hpp"
 #include "solve/calibration/orthotropic_calibration.hpp"
-#include "specimen/recipe.hpp"
+#include "specimen/bodies.hpp"
 
 namespace solidem {
 
@@ -25,7 +25,16 @@ struct NamedEffects {
 
 // read_specimen.cpp
 Rule specimen_section(SpecimenRecipe& recipe, const std::string& scene_file);
+/// The same keys and some more.
+void read_specimen(const Section& section, SpecimenRecipe& recipe, const std::string& scene_file,
+                   const std::vector<Key>& more);
 Rule bonds_section(std::optional<double>& tolerance);
+
+// read_bodies.cpp
+Rule bodies_section(std::vector<BodyRecipe>& bodies, const std::string& scene_file);
+
+// read_cuts.cpp
+Rule cuts_section(std::vector<Cut>& cuts, const std::string& scene_file);
 
 // read_material.cpp
 Rule material_section(std::vector<Material>& materials, const NamedRegions& named,

@@ -48,6 +48,9 @@ void read_line(const TextLines& comment, Domain& domain) {
   } else if (key == "axis") {
     insist(1, "x, y or z");
     domain.axis = axis_of(2);
+  } else if (key == "cuts") {
+    insist(1, "a number");
+    domain.cuts = static_cast<int>(comment.number(2));
   } else if (key == "volume" || key == "radius" || key == "inner_radius" || key == "angle") {
     insist(1, "a number");
     (key == "volume"         ? domain.volume
@@ -57,7 +60,7 @@ void read_line(const TextLines& comment, Domain& domain) {
   } else {
     comment.fail(
         fmt::format("solidem \"{}\": expected shape, lower, upper, periodic, volume, axis, "
-                    "radius, inner_radius or angle",
+                    "radius, inner_radius, angle or cuts",
                     key));
   }
 }
@@ -80,6 +83,7 @@ std::string body_lines(const Specimen& specimen) {
   if (body.radius > 0) text += line("radius", fmt::format("{:.17g}", body.radius));
   if (body.inner_radius > 0)
     text += line("inner_radius", fmt::format("{:.17g}", body.inner_radius));
+  if (body.cuts > 0) text += line("cuts", fmt::format("{}", body.cuts));
   if (body.angle > 0) text += line("angle", fmt::format("{:.17g}", body.angle));
   return text;
 }

@@ -2,7 +2,7 @@
 //
 // The body in text formats, which have no place for it: comments such as "# solidem shape
 // cylinder", one for each of shape, lower, upper, periodic, volume, axis, radius, inner_radius,
-// angle.
+// angle, cuts.
 #ifndef SOLIDEM_SPECIMEN_BODY_LINES_HPP
 #define SOLIDEM_SPECIMEN_BODY_LINES_HPP
 

@@ -41,8 +41,28 @@ std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance, BondIma
   if (specimen.size() == 0) return {};
   if (images == BondImages::one) insist_on_single_images(specimen, tolerance);
   const Domain& domain = specimen.domain;
-  return neighbour_pairs({domain.lower, domain.upper, domain.periodic}, specimen.position,
-                         specimen.radius, tolerance, specimen.contact_margin);
+  std::vector<Pair> pairs =
+      neighbour_pairs({domain.lower, domain.upper, domain.periodic}, specimen.position,
+                      specimen.radius, tolerance, specimen.contact_margin);
+  if (specimen.bodies.empty()) return pairs;
+  const std::vector<std::int32_t> body = body_of_elements(specimen);
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&](const Pair& pair) {
+                               return !may_be_bonded(specimen,
+                                                     body[static_cast<std::size_t>(pair.i)],
+                                                     body[static_cast<std::size_t>(pair.j)]);
+                             }),
+              pairs.end());
+  return pairs;
+}
+
+bool may_be_bonded(const Specimen& specimen, std::int32_t body, std::int32_t other) {
+  if (body == other) return true;
+  const auto names = [&](std::int32_t one, std::int32_t another) {
+    const auto& linked = specimen.bodies[static_cast<std::size_t>(one)].bonded_to;
+    return std::find(linked.begin(), linked.end(), another) != linked.end();
+  };
+  return names(body, other) || names(other, body);
 }
 
 void make_bonds(Specimen& specimen, double tolerance, BondImages images) {

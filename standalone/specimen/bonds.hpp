@@ -14,12 +14,16 @@ namespace solidem {
 enum class BondImages { one, several };
 
 /// The pairs with d_ij ≤ (1 + tolerance)(R_i + R_j), the nearest image in periodic directions;
-/// sorted, i < j. Touching spheres count at tolerance 0: distances are compared with the specimen's
-/// `contact_margin`. Throws InputError when the tolerance is not a number above −1, or when
-/// a periodic cell is so small that two images of one element would both be neighbours of another
-/// and only one may be.
+/// sorted, i < j; within a body, and between two that are bonded. Touching spheres count at
+/// tolerance 0: distances are compared with the specimen's `contact_margin`. Throws InputError when
+/// the tolerance is not a number above −1, or when a periodic cell is so small that two images of
+/// one element would both be neighbours of another and only one may be.
 std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance,
                              BondImages images = BondImages::one);
+
+/// Whether elements of two bodies, by number, may be bonded: of one, or of two that the specimen
+/// says are.
+bool may_be_bonded(const Specimen& specimen, std::int32_t body, std::int32_t other);
 
 /// Replaces the specimen's bonds by those of a tolerance, and notes the tolerance.
 void make_bonds(Specimen& specimen, double tolerance, BondImages images = BondImages::one);

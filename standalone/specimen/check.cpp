@@ -15,12 +15,12 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 void check_domain(const Domain& domain, const std::string& origin) {
-  static const char* const shapes[] = {"box",   "plate",   "cylinder", "annulus",
-                                       "wedge", "crystal", "imported"};
+  static const char* const shapes[] = {"box",    "plate", "cylinder", "annulus", "wedge",
+                                       "sphere", "mesh",  "crystal",  "bodies",  "imported"};
   if (std::find(std::begin(shapes), std::end(shapes), domain.shape) == std::end(shapes))
     throw InputError(fmt::format(
-        "{}: domain shape \"{}\": expected box, plate, cylinder, annulus, wedge, crystal "
-        "or imported",
+        "{}: domain shape \"{}\": expected box, plate, cylinder, annulus, wedge, sphere, mesh, "
+        "crystal, bodies or imported",
         origin, domain.shape));
   for (int axis = 0; axis < 3; ++axis) {
     const double low = component(domain.lower, axis), high = component(domain.upper, axis);
@@ -32,6 +32,11 @@ void check_domain(const Domain& domain, const std::string& origin) {
   if (!is_unknown && (!(domain.volume > 0) || !std::isfinite(domain.volume)))
     throw InputError(fmt::format("{}: domain volume {} m3: expected a number above zero", origin,
                                  domain.volume));
+  if (domain.shape == "sphere" && !(domain.radius > 0 && domain.axis < 0))
+    throw InputError(
+        fmt::format("{}: sphere with axis {} and radius {} m: expected axis -1 and a "
+                    "radius above zero",
+                    origin, domain.axis, domain.radius));
   const bool wedge = domain.shape == "wedge", hollow = wedge || domain.shape == "annulus";
   if ((hollow || domain.shape == "cylinder") &&
       (domain.axis < 0 || domain.axis > 2 || !(domain.radius > 0)))
@@ -77,6 +82,32 @@ void check_places(const Specimen& specimen, const std::string& origin) {
         pairs.size() > 1 ? fmt::format(", and so are {} pairs more", pairs.size() - 1) : ""));
 }
 
+// Every element is in one body, which has a volume.
+void check_bodies(const Specimen& specimen, const std::string& origin) {
+  if (specimen.bodies.empty()) return;
+  std::vector<int> holders(specimen.size(), 0);
+  const auto number = static_cast<std::int32_t>(specimen.bodies.size());
+  for (const Body& body : specimen.bodies) {
+    if (!(body.volume > 0) || !std::isfinite(body.volume))
+      throw InputError(fmt::format("{}: body \"{}\" of {} m3: expected a volume above zero", origin,
+                                   body.name, body.volume));
+    for (const std::int32_t element : body.elements) {
+      if (element < 0 || static_cast<std::size_t>(element) >= specimen.size())
+        throw InputError(fmt::format("{}: body \"{}\" holds element {}: expected 0 <= element < {}",
+                                     origin, body.name, element, specimen.size()));
+      ++holders[static_cast<std::size_t>(element)];
+    }
+    for (const std::int32_t other : body.bonded_to)
+      if (other < 0 || other >= number)
+        throw InputError(fmt::format("{}: body \"{}\" is bonded to body {}: expected 0 to {}",
+                                     origin, body.name, other, number - 1));
+  }
+  for (std::size_t i = 0; i < holders.size(); ++i)
+    if (holders[i] != 1)
+      throw InputError(
+          fmt::format("{}: element {} is in {} bodies: expected one", origin, i, holders[i]));
+}
+
 }  // namespace
 
 void check_specimen(const Specimen& specimen, const std::string& origin) {
@@ -113,6 +144,7 @@ void check_specimen(const Specimen& specimen, const std::string& origin) {
           fmt::format("{}: bond {} ({}, {}) comes after ({}, {}): expected rising order", origin, b,
                       pair.i, pair.j, specimen.bonds[b - 1].i, specimen.bonds[b - 1].j));
   }
+  check_bodies(specimen, origin);
   for (const auto& [name, elements] : specimen.sets)
     for (const std::int32_t element : elements)
       if (element < 0 || static_cast<std::size_t>(element) >= n)

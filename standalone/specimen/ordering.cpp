@@ -96,10 +96,12 @@ void sort_elements(Specimen& specimen) {
     pair = {std::min(a, b), std::max(a, b)};
   }
   std::sort(specimen.bonds.begin(), specimen.bonds.end());
-  for (auto& [name, elements] : specimen.sets) {
+  const auto renumber = [&](std::vector<std::int32_t>& elements) {
     for (std::int32_t& element : elements) element = new_number[element];
     std::sort(elements.begin(), elements.end());
-  }
+  };
+  for (auto& [name, elements] : specimen.sets) renumber(elements);
+  for (Body& body : specimen.bodies) renumber(body.elements);
 }
 
 }  // namespace solidem

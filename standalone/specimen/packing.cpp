@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 #include <vector>
 
+#include "keys/mesh_file.hpp"
 #include "model/error.hpp"
 #include "neighbours/linked_cells.hpp"
+#include "specimen/mesh_walls.hpp"
 #include "specimen/ordering.hpp"
 #include "specimen/quench.hpp"
 #include "specimen/shape.hpp"
@@ -19,6 +23,15 @@ namespace solidem {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+
+Domain domain_of(const TriangleMesh& mesh) {
+  Domain domain;
+  domain.shape = "mesh";
+  std::tie(domain.lower, domain.upper) = bounds(mesh);
+  domain.volume = volume(mesh);
+  return domain;
+}
+
 constexpr double precision = 0.01;  // of the equilibrium, see SoftSpheres::relax
 constexpr int most_steps = 20000;
 
@@ -45,8 +58,9 @@ class Random {
 
 // Solid fraction at the target coordination, fitted to packings in cubes of 1000 to 100000 elements
 // and in a periodic cell (none of it needs to be exact: the search for the target starts here).
-double expected_fraction(const Domain& domain, double mean_radius) {
-  const double wall = std::min(mean_radius * wall_area(domain) / domain.volume, 0.36);
+double expected_fraction(const Domain& domain, double mean_radius, const FacetTree* surface) {
+  const double walls = surface != nullptr ? area(surface->mesh()) : wall_area(domain);
+  const double wall = std::min(mean_radius * walls / domain.volume, 0.36);
   return 0.640 - wall * (0.115 - 0.16 * wall);
 }
 
@@ -55,16 +69,17 @@ double mean_sphere_volume(double mean_radius, double spread) {
   return 4.0 / 3.0 * pi * mean_radius * mean_radius * mean_radius * (1.0 + spread * spread);
 }
 
-double radius_for(const Domain& domain, double elements, double spread) {
+double radius_for(const Domain& domain, double elements, double spread, const FacetTree* surface) {
   double radius = 0;
   for (int pass = 0; pass < 30; ++pass) {
-    const double fraction = expected_fraction(domain, radius);
+    const double fraction = expected_fraction(domain, radius, surface);
     radius = std::cbrt(fraction * domain.volume / (elements * mean_sphere_volume(1.0, spread)));
   }
   return radius;
 }
 
-void insist_on_room(const Domain& domain, double mean_radius, const SpecimenRecipe& recipe) {
+void insist_on_room(const Domain& domain, double width, double mean_radius,
+                    const SpecimenRecipe& recipe) {
   const double diameter = 2.0 * mean_radius * (1.0 + recipe.radius_spread);
   const std::string what =
       recipe.elements
@@ -73,9 +88,9 @@ void insist_on_room(const Domain& domain, double mean_radius, const SpecimenReci
           : fmt::format("specimen.mean_radius = {} m makes spheres up to {:.3g} m across",
                         recipe.mean_radius, diameter);
   const char* const remedy = recipe.elements ? "take more elements" : "take a smaller mean radius";
-  if (diameter > narrowest_width(domain))
-    throw InputError(fmt::format("{}, but the body is only {:.3g} m thick: {}", what,
-                                 narrowest_width(domain), remedy));
+  if (diameter > width)
+    throw InputError(
+        fmt::format("{}, but the body is only {:.3g} m thick: {}", what, width, remedy));
   if (2.1 * diameter > shortest_period(domain))
     throw InputError(
         fmt::format("{}, but the body repeats itself after {:.3g} m, under 2.1 diameters: {}", what,
@@ -136,11 +151,30 @@ Vector random_point(const Domain& domain, double margin, Random& random) {
   }
 }
 
-SoftSpheres throw_spheres(const Domain& domain, std::size_t elements, double spread,
-                          std::uint64_t seed) {
+// The same of a mesh; without the margin where it leaves no room.
+Vector random_point(const FacetTree& surface, double margin, Random& random) {
+  constexpr int most_throws = 100000;
+  const auto [lower, upper] = bounds(surface.mesh());
+  const Vector extent = upper - lower;
+  for (int thrown = 0; thrown < most_throws; ++thrown) {
+    Vector point = lower;
+    for (int axis = 0; axis < 3; ++axis)
+      component(point, axis) += component(extent, axis) * random.next();
+    const double inset = thrown < most_throws / 100 ? margin : 0.0;
+    if (surface.signed_distance(point) < -inset) return point;
+  }
+  throw InputError(
+      "specimen.mesh: its body fills less than a hundred-thousandth of the box around it, too "
+      "little to be packed");
+}
+
+SoftSpheres throw_spheres(const Domain& domain, const FacetTree* surface, std::size_t elements,
+                          double spread, std::uint64_t seed) {
   Random random(seed);
   std::vector<Vector> position(elements);
-  for (Vector& point : position) point = random_point(domain, 1.0, random);
+  for (Vector& point : position)
+    point = surface != nullptr ? random_point(*surface, 1.0, random)
+                               : random_point(domain, 1.0, random);
   // Evenly spaced radii; the points are random, so which point gets which radius is too.
   std::vector<double> radius(elements);
   for (std::size_t k = 0; k < elements; ++k)
@@ -153,7 +187,7 @@ SoftSpheres throw_spheres(const Domain& domain, std::size_t elements, double spr
     sorted_position[k] = position[order[k]];
     sorted_radius[k] = radius[order[k]];
   }
-  return {domain, std::move(sorted_position), std::move(sorted_radius)};
+  return {domain, std::move(sorted_position), std::move(sorted_radius), surface};
 }
 
 // Scales all radii, relaxing in between, until the target coordination or the largest overlap is
@@ -190,29 +224,45 @@ void compact(SoftSpheres& spheres, double fraction, double largest_factor,
 
 }  // namespace
 
-Specimen make_packing(const SpecimenRecipe& recipe, const ReportProgress& progress) {
+FacetTree surface_of(const SpecimenRecipe& recipe) {
+  TriangleMesh mesh = read_closed_mesh(recipe.mesh, recipe.mesh_unit);
+  for (Vector& vertex : mesh.vertices) vertex += recipe.origin;
+  return FacetTree(std::move(mesh));
+}
+
+Specimen make_packing(const SpecimenRecipe& recipe, const ReportProgress& progress,
+                      const FacetTree* surface) {
   check_recipe(recipe);
   const double spread = recipe.radius_spread;
   Specimen specimen;
-  specimen.domain = shape_of(recipe);
+  specimen.domain = surface != nullptr ? domain_of(surface->mesh()) : shape_of(recipe);
   const Domain& domain = specimen.domain;
 
   double wanted = static_cast<double>(recipe.elements);
   if (recipe.mean_radius > 0)
-    wanted = std::round(expected_fraction(domain, recipe.mean_radius) * domain.volume /
+    wanted = std::round(expected_fraction(domain, recipe.mean_radius, surface) * domain.volume /
                         mean_sphere_volume(recipe.mean_radius, spread));
   if (!(wanted <= 2147483647.0))
     throw InputError(fmt::format(
-        "specimen.mean_radius = {} m makes {:.3g} elements: at most 2147483647 can be numbered",
-        recipe.mean_radius, wanted));
+        "specimen.mean_radius = {} m makes {:.3g} elements: at most 2147483647 can be numbered{}",
+        recipe.mean_radius, wanted,
+        surface != nullptr
+            ? fmt::format(
+                  "; the mesh is {:.3g} m from corner to corner with a mesh_unit of {:.3g} m",
+                  norm(domain.upper - domain.lower), recipe.mesh_unit)
+            : std::string()));
   const double elements = std::max(wanted, 1.0);
-  const double unit = radius_for(domain, elements, spread);
-  insist_on_room(domain, unit, recipe);
+  const double unit = radius_for(domain, elements, spread, surface);
+  const double width =
+      surface != nullptr ? 2 * largest_inner_radius(*surface) : narrowest_width(domain);
+  insist_on_room(domain, width, unit, recipe);
 
   const Domain body = scaled(domain, unit);
-  SoftSpheres spheres =
-      throw_spheres(body, static_cast<std::size_t>(elements), spread, recipe.seed);
-  compact(spheres, expected_fraction(domain, unit), 0.5 * narrowest_width(body) / (1.0 + spread),
+  std::optional<FacetTree> walls;
+  if (surface != nullptr) walls.emplace(scaled(surface->mesh(), unit, domain.lower));
+  SoftSpheres spheres = throw_spheres(body, walls ? &*walls : nullptr,
+                                      static_cast<std::size_t>(elements), spread, recipe.seed);
+  compact(spheres, expected_fraction(domain, unit, surface), 0.5 * width / unit / (1.0 + spread),
           progress);
 
   specimen.position = spheres.position();

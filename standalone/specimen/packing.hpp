@@ -7,6 +7,7 @@
 #ifndef SOLIDEM_SPECIMEN_PACKING_HPP
 #define SOLIDEM_SPECIMEN_PACKING_HPP
 
+#include "model/facet_tree.hpp"
 #include "model/specimen.hpp"
 #include "specimen/recipe.hpp"
 
@@ -17,12 +18,18 @@ namespace solidem {
 constexpr double target_coordination = 6.2;
 constexpr double largest_mean_overlap = 0.015;
 
-/// Fills the recipe's box, plate, cylinder, annulus or wedge. With `elements` given the mean radius
-/// comes out of the packing; with `mean_radius` given the number of elements follows from the
-/// expected solid fraction, and the mean radius comes out within about 1 % of the request. Elements
-/// along a Hilbert curve, no bonds. The same for the same recipe on any number of threads. Throws
-/// InputError when the recipe is incomplete or the body too thin for spheres of that size.
-Specimen make_packing(const SpecimenRecipe& recipe, const ReportProgress& progress = {});
+/// Fills the recipe's box, plate, cylinder, annulus, wedge, sphere or mesh. With `elements` given
+/// the mean radius comes out of the packing; with `mean_radius` given the number of elements
+/// follows from the expected solid fraction, and the mean radius comes out within about 1 % of the
+/// request. Elements along a Hilbert curve, no bonds. The same for the same recipe on any number of
+/// threads. Throws InputError when the recipe is incomplete or the body too thin for spheres of
+/// that size. `surface`: that of a mesh, else null.
+Specimen make_packing(const SpecimenRecipe& recipe, const ReportProgress& progress = {},
+                      const FacetTree* surface = nullptr);
+
+/// The surface that a recipe asks for, where its file puts it and its origin moves it. Throws
+/// InputError when it cannot be read or does not bound a body.
+FacetTree surface_of(const SpecimenRecipe& recipe);
 
 }  // namespace solidem
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "specimen/report.hpp"
@@ -78,9 +79,22 @@ std::vector<std::string> notes_on(const Specimen& specimen, const std::vector<Pa
     notes.push_back(
         fmt::format("{} elements have no bond: nothing moves or heats them, no measure counts them",
                     specimen.size() - joined));
-  if (pieces.size() > 1)
-    notes.push_back(fmt::format("the specimen is in {} pieces that do not see each other: {}",
-                                pieces.size(), in_words(specimen, pieces)));
+  if (specimen.bodies.empty()) {
+    if (pieces.size() > 1)
+      notes.push_back(fmt::format("the specimen is in {} pieces that do not see each other: {}",
+                                  pieces.size(), in_words(specimen, pieces)));
+    return notes;
+  }
+  const std::vector<std::int32_t> body = body_of_elements(specimen);
+  for (std::size_t b = 0; b < specimen.bodies.size(); ++b) {
+    std::vector<Piece> own;
+    std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(own), [&](const Piece& piece) {
+      return static_cast<std::size_t>(body[static_cast<std::size_t>(piece.lowest)]) == b;
+    });
+    if (own.size() > 1)
+      notes.push_back(fmt::format("the body \"{}\" is in {} pieces that do not see each other: {}",
+                                  specimen.bodies[b].name, own.size(), in_words(specimen, own)));
+  }
   return notes;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "neighbours/linked_cells.hpp"
+#include "specimen/mesh_walls.hpp"
 
 namespace solidem {
 
@@ -26,8 +27,8 @@ constexpr int patience = 20;
 }  // namespace
 
 SoftSpheres::SoftSpheres(const Domain& domain, std::vector<Vector> position,
-                         std::vector<double> radius)
-    : domain_(domain), extent_(domain.upper - domain.lower) {
+                         std::vector<double> radius, const FacetTree* surface)
+    : domain_(domain), surface_(surface), extent_(domain.upper - domain.lower) {
   for (const bool periodic : domain.periodic) any_periodic_ = any_periodic_ || periodic;
   if (domain.radius > 0) axis_point_ = domain.axis_point();
   if (domain.angle > 0) {
@@ -78,6 +79,7 @@ void SoftSpheres::build_lists() {
     sum += ball_[i].radius;
   }
   mean_diameter_ = 2.0 * sum / static_cast<double>(n);
+  if (surface_ != nullptr) find_near_surface();
   LinkedCells cells({domain_.lower, domain_.upper, domain_.periodic}, 2.0 * largest + skin_, n);
   cells.sort(listed_position_);
   const std::size_t cell_count = cells.cell_count();
@@ -106,6 +108,17 @@ void SoftSpheres::build_lists() {
       neighbour_[next[pair.i]++] = pair.j;
       neighbour_[next[pair.j]++] = pair.i;
     }
+}
+
+void SoftSpheres::find_near_surface() {
+  const auto n = static_cast<std::ptrdiff_t>(ball_.size());
+  is_near_surface_.resize(ball_.size());
+#pragma omp parallel for schedule(static) if (n > 3000)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const Ball& ball = ball_[static_cast<std::size_t>(i)];
+    is_near_surface_[static_cast<std::size_t>(i)] =
+        surface_->signed_distance(ball.centre) > -(ball.radius + skin_) ? 1 : 0;
+  }
 }
 
 void SoftSpheres::wall_force(const Ball& ball, Vector& force) const {
@@ -156,7 +169,10 @@ SoftSpheres::Sums SoftSpheres::forces_of_block(std::size_t first, std::size_t la
       contacts += depth > 0;
     }
     force = 0.0625 * force;
-    wall_force(ball, force);
+    if (surface_ == nullptr)
+      wall_force(ball, force);
+    else if (is_near_surface_[i] != 0)
+      force += push_of_walls(*surface_, ball.centre, ball.radius);
     force_[i] = force;
     sums.power += dot(force, velocity_[i]);
     sums.force2 += dot(force, force);

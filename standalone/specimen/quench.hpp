@@ -14,6 +14,7 @@
 #include <functional>
 #include <vector>
 
+#include "model/facet_tree.hpp"
 #include "model/specimen.hpp"
 
 namespace solidem {
@@ -21,7 +22,9 @@ namespace solidem {
 /// Spheres in a body with walls. Lengths in a unit that makes the mean radius about 1.
 class SoftSpheres {
  public:
-  SoftSpheres(const Domain& domain, std::vector<Vector> position, std::vector<double> radius);
+  /// `surface`: the walls of a body that is a mesh, else null; it must outlive the spheres.
+  SoftSpheres(const Domain& domain, std::vector<Vector> position, std::vector<double> radius,
+              const FacetTree* surface = nullptr);
 
   /// Multiplies all radii.
   void inflate(double factor);
@@ -62,11 +65,14 @@ class SoftSpheres {
   template <bool periodic>
   Sums forces_of_block(std::size_t first, std::size_t last);
   void wall_force(const Ball& ball, Vector& force) const;
+  void find_near_surface();
   Vector nearest_image(Vector d) const;
   void compute_forces();
   double move(double time_step, double keep, double steer);
 
   Domain domain_;
+  const FacetTree* surface_;
+  std::vector<char> is_near_surface_;  // of the lists: may reach a mesh before they are made anew
   Vector extent_{};
   Vector axis_point_{}, first_normal_{}, last_normal_{};  // of round bodies; of a wedge, outward
   bool any_periodic_ = false;

@@ -25,9 +25,17 @@ std::optional<Domain> body_of(const SpecimenRecipe& recipe) {
 }  // namespace
 
 Specimen make_specimen(const SpecimenRecipe& recipe, const ReportProgress& progress) {
-  if (!recipe.file.empty()) return read_specimen(recipe.file, body_of(recipe));
+  if (!recipe.file.empty()) {
+    Specimen specimen = read_specimen(recipe.file, body_of(recipe));
+    cut_out(specimen, recipe.cuts);
+    return specimen;
+  }
   const bool crystal = recipe.shape == "crystal";
-  Specimen specimen = crystal ? make_crystal(recipe) : make_packing(recipe, progress);
+  std::optional<FacetTree> surface;
+  if (recipe.shape == "mesh") surface.emplace(surface_of(recipe));
+  const FacetTree* const mesh = surface ? &*surface : nullptr;
+  Specimen specimen = crystal ? make_crystal(recipe) : make_packing(recipe, progress, mesh);
+  cut_out(specimen, recipe.cuts, mesh);
   make_bonds(specimen, 0.0);
   sort_elements(specimen);
   measure_specimen(specimen);

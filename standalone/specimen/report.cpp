@@ -38,7 +38,7 @@ void measure_specimen(Specimen& specimen) {
   const std::vector<std::int32_t> degree = count_bonds(specimen);
   const std::vector<Wall> walls = walls_of(specimen.domain);
   double bulk_elements = 0, bulk_bonds = 0;
-  const bool walls_are_known = specimen.domain.shape != "imported";
+  const bool walls_are_known = specimen.domain.has_walls();
   for (std::size_t i = 0; i < specimen.size() && walls_are_known; ++i)
     if (distance_to_walls(walls, specimen.position[i]) > 3.0 * mean) {
       bulk_elements += 1;
@@ -93,13 +93,18 @@ std::string format_report(const Specimen& specimen) {
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("{:<28}{}\n", name, value);
   };
-  line("shape", domain.shape + (periodic.empty() ? "" : " (periodic along " + periodic + ")"));
+  std::string shape = domain.shape;
+  if (domain.cuts > 0) shape += fmt::format(", {} taken out of it", domain.cuts);
+  line("shape", shape + (periodic.empty() ? "" : " (periodic along " + periodic + ")"));
   line("extent", fmt::format("{:.6g} x {:.6g} x {:.6g} m", extent.x, extent.y, extent.z));
   line("volume", fmt::format("{:.9g} m3{}", domain.volume,
                              specimen.report.count(estimated_volume) != 0
                                  ? " (of the cells, cut at the spheres)"
                                  : ""));
   line("elements", fmt::format("{}", specimen.size()));
+  for (const Body& body : specimen.bodies)
+    line(("  of " + body.name).c_str(),
+         fmt::format("{}, a {} of {:.9g} m3", body.elements.size(), body.shape, body.volume));
   line("mean radius", fmt::format("{:.6g} m", figure("mean_radius")));
   line("solid fraction", fmt::format("{:.4f}", figure("solid_fraction")));
   line("bonds",
@@ -111,8 +116,8 @@ std::string format_report(const Specimen& specimen) {
        figure("bulk_elements") > 0
            ? fmt::format("{:.3f} ({:.0f} elements over 3 mean radii from walls)",
                          figure("bulk_coordination_number"), figure("bulk_elements"))
-       : domain.shape == "imported" ? "the body's walls are not known"
-                                    : "no element is over 3 mean radii from all walls");
+       : !domain.has_walls() ? "the body's walls are not known"
+                             : "no element is over 3 mean radii from all walls");
   if (specimen.contact_margin > 1e-12)
     line("touch within", fmt::format("{:.2g} of their distance, for the digits of the file",
                                      specimen.contact_margin));

@@ -68,12 +68,27 @@ Domain round_body_of(const SpecimenRecipe& recipe) {
   return domain;
 }
 
+Domain sphere_of(const SpecimenRecipe& recipe) {
+  insist_on_length(recipe.radius, "radius");
+  for (const bool periodic : recipe.periodic)
+    if (periodic) throw InputError("specimen.periodic: a sphere has walls all round");
+  Domain domain;
+  const double R = recipe.radius;
+  domain.radius = R;
+  domain.lower = recipe.origin - Vector{R, R, R};
+  domain.upper = recipe.origin + Vector{R, R, R};
+  domain.volume = volume_of(domain);
+  return domain;
+}
+
 }  // namespace
 
 Domain shape_of(const SpecimenRecipe& recipe) {
   Domain domain;
   if (recipe.shape == "cylinder" || recipe.shape == "annulus" || recipe.shape == "wedge") {
     domain = round_body_of(recipe);
+  } else if (recipe.shape == "sphere") {
+    domain = sphere_of(recipe);
   } else if (recipe.shape == "box" || recipe.shape == "plate") {
     const bool plate = recipe.shape == "plate";
     insist_on_length(recipe.size.x, plate ? "length" : "size (along x)");
@@ -84,7 +99,7 @@ Domain shape_of(const SpecimenRecipe& recipe) {
     domain.volume = recipe.size.x * recipe.size.y * recipe.size.z;
   } else {
     throw InputError(fmt::format(
-        "specimen.shape = \"{}\": expected box, plate, cylinder, annulus, wedge or crystal",
+        "specimen.shape = \"{}\": expected box, plate, cylinder, annulus, wedge, sphere or crystal",
         recipe.shape));
   }
   domain.shape = recipe.shape;
@@ -106,6 +121,7 @@ double volume_of(const Domain& domain) {
   const Vector extent = domain.upper - domain.lower;
   if (!(domain.radius > 0)) return extent.x * extent.y * extent.z;
   const double R = domain.radius, r = domain.inner_radius;
+  if (domain.is_sphere()) return 4.0 / 3.0 * pi * R * R * R;
   return 0.5 * domain.arc() * (R - r) * (R + r) * component(extent, domain.axis);
 }
 

@@ -7,9 +7,10 @@
 
 namespace solidem {
 
-/// The body that a packing fills: box, plate, cylinder, annulus or wedge. Throws InputError for an
-/// unknown shape, a length that is not above zero, an inner radius that is not below the outer one,
-/// an angle that is not between 0 and π, an unknown axis, or a periodicity the shape cannot have.
+/// The body that a packing fills: box, plate, cylinder, annulus, wedge or sphere. Throws InputError
+/// for an unknown shape, a length that is not above zero, an inner radius that is not below the
+/// outer one, an angle that is not between 0 and π, an unknown axis, or a periodicity the shape
+/// cannot have.
 Domain shape_of(const SpecimenRecipe& recipe);
 
 /// The body in units of `unit`, with the lower corner of its bounding box at the origin.

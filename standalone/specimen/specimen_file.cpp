@@ -37,6 +37,42 @@ Vector vector_attribute(const Hdf5Group& group, const std::string& name) {
   return {v[0], v[1], v[2]};
 }
 
+// In their order: groups come back by name.
+void write_bodies(const Hdf5File& file, const Specimen& specimen) {
+  if (specimen.bodies.empty()) return;
+  const Hdf5Group bodies = file.make_group("bodies");
+  for (std::size_t b = 0; b < specimen.bodies.size(); ++b) {
+    const Body& body = specimen.bodies[b];
+    const Hdf5Group group = bodies.make_group(fmt::format("{:06}", b));
+    group.set_attribute("name", body.name);
+    group.set_attribute("shape", body.shape);
+    group.set_attribute("lower", numbers(body.lower));
+    group.set_attribute("upper", numbers(body.upper));
+    group.set_attribute("volume", body.volume);
+    group.write("elements", body.elements);
+    if (!body.bonded_to.empty()) group.write("bonded_to", body.bonded_to);
+  }
+}
+
+std::vector<Body> read_bodies(const Hdf5File& file) {
+  std::vector<Body> found;
+  if (!file.has("bodies")) return found;
+  const Hdf5Group bodies = file.group("bodies");
+  for (const std::string& number : bodies.names()) {
+    const Hdf5Group group = bodies.group(number);
+    Body body;
+    body.name = group.text_attribute("name");
+    body.shape = group.text_attribute("shape");
+    body.lower = vector_attribute(group, "lower");
+    body.upper = vector_attribute(group, "upper");
+    body.volume = group.number_attribute("volume");
+    body.elements = group.read<std::int32_t>("elements");
+    if (group.has("bonded_to")) body.bonded_to = group.read<std::int32_t>("bonded_to");
+    found.push_back(std::move(body));
+  }
+  return found;
+}
+
 void write_hdf5(const Hdf5File& file, const Specimen& specimen) {
   file.set_attribute("format", format_name);
   file.set_attribute("version", format_version);
@@ -64,6 +100,7 @@ void write_hdf5(const Hdf5File& file, const Specimen& specimen) {
   domain.set_attribute("radius", body.radius);
   domain.set_attribute("inner_radius", body.inner_radius);
   domain.set_attribute("angle", body.angle);
+  if (body.cuts > 0) domain.set_attribute("cuts", body.cuts);
 
   const Hdf5Group report = file.make_group("report");
   const auto& figures = specimen.report;
@@ -75,6 +112,7 @@ void write_hdf5(const Hdf5File& file, const Specimen& specimen) {
                                              figures.at("fabric_z")});
 
   for (const auto& [name, members] : specimen.sets) file.write("sets/" + name, members);
+  write_bodies(file, specimen);
 }
 
 // Whether positions came from a program that keeps them in single precision.
@@ -109,6 +147,7 @@ Domain read_domain(const Hdf5Group& domain) {
   body.radius = domain.number_attribute("radius");
   if (domain.has_attribute("inner_radius"))
     body.inner_radius = domain.number_attribute("inner_radius");
+  if (domain.has_attribute("cuts")) body.cuts = static_cast<int>(domain.integer_attribute("cuts"));
   if (domain.has_attribute("angle")) body.angle = domain.number_attribute("angle");
   return body;
 }
@@ -158,6 +197,7 @@ Specimen read_hdf5(const std::string& path) {
     for (const std::string& name : sets.names())
       specimen.sets[name] = sets.read<std::int32_t>(name);
   }
+  specimen.bodies = read_bodies(file);
   check_specimen(specimen, path);
   // Earlier versions wrote no seal, and took bare spheres for the box around them.
   Domain& body = specimen.domain;
@@ -224,6 +264,14 @@ std::string extension_of(const std::string& path) {
   return std::filesystem::path(path).extension().string();
 }
 
+void insist_on_one_body(const Specimen& specimen, const std::string& path) {
+  if (specimen.bodies.empty()) return;
+  throw InputError(
+      fmt::format("{}: text has no place for several bodies ({}); expected a file that "
+                  "ends with .h5",
+                  path, specimen.bodies.size()));
+}
+
 [[noreturn]] void fail_extension(const std::string& path) {
   throw InputError(path +
                    ": the extension says the format of a specimen; expected .h5 (solidem), .data "
@@ -255,6 +303,7 @@ Specimen read_specimen(const std::string& path, const std::optional<Domain>& bod
 void write_specimen(const std::string& path, const Specimen& specimen) {
   const std::string extension = extension_of(path);
   check_specimen(specimen, "specimen for " + path);
+  if (extension != ".h5") insist_on_one_body(specimen, path);
   if (extension == ".h5")
     replace_hdf5_file(
         path, [&](const Hdf5File& file) { write_hdf5(file, specimen); }, Seal::present);

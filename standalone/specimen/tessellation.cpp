@@ -67,8 +67,26 @@ Facets facets_of(const Domain& body, double radius) {
   return facets;
 }
 
+// Volume of the solid whose faces touch a unit sphere, one across each direction.
+double volume_around_unit_sphere(const std::vector<Vector>& normals) {
+  voro::voronoicell solid;
+  solid.init(-2, 2, -2, 2, -2, 2);
+  for (const Vector& n : normals) solid.plane(n.x, n.y, n.z, 2.0);
+  return solid.volume();
+}
+
+// The same for a sphere; facets stand where their solid has the sphere's volume.
+Facets facets_of_sphere(const Domain& body) {
+  // The n-th part of the sphere has the sagitta 2 R / n.
+  Facets facets;
+  facets.normal = even_directions(
+      std::max(500, static_cast<int>(std::ceil(2.0 * body.radius / largest_sagitta))));
+  facets.distance = std::cbrt(body.volume / volume_around_unit_sphere(facets.normal));
+  return facets;
+}
+
 // The specimen in mean radii, its lower corner at the origin.
-struct Body {
+struct ScaledBody {
   double unit;
   Domain domain;
   std::vector<Vector> position;
@@ -76,13 +94,14 @@ struct Body {
   std::vector<Wall> walls;
   Facets outer, inner;  // of curved walls
 
-  explicit Body(const Specimen& specimen)
+  explicit ScaledBody(const Specimen& specimen)
       : unit(mean_radius(specimen)), domain(scaled(specimen.domain, unit)) {
     for (const Vector& p : specimen.position)
       position.push_back((1.0 / unit) * (p - specimen.domain.lower));
     for (const double r : specimen.radius) radius.push_back(r / unit);
     walls = walls_of(domain);
-    if (domain.radius > 0) outer = facets_of(domain, domain.radius);
+    if (domain.radius > 0)
+      outer = domain.is_sphere() ? facets_of_sphere(domain) : facets_of(domain, domain.radius);
     if (domain.inner_radius > 0) inner = facets_of(domain, domain.inner_radius);
   }
 
@@ -96,7 +115,7 @@ struct Body {
 // Makes one cell after the other; each thread has its own, for voro++ keeps notes while it works.
 class CellMaker {
  public:
-  explicit CellMaker(const Body& body) : body_(body), place_(body.position.size()) {
+  explicit CellMaker(const ScaledBody& body) : body_(body), place_(body.position.size()) {
     const Domain& domain = body.domain;
     Vector low = domain.lower, high = domain.upper;
     // Corners of the facets stand out of the bounding box.
@@ -183,7 +202,10 @@ class CellMaker {
   void add_walls() {
     static const char* const box[] = {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
     for (int side = 0; side < 6; ++side) box_wall_[side] = body_.wall_called(box[side]);
-    outer_ = body_.wall_called(body_.domain.inner_radius > 0 ? "outer" : "side");
+    const Domain& domain = body_.domain;
+    outer_ = body_.wall_called(domain.is_sphere()        ? "surface"
+                               : domain.inner_radius > 0 ? "outer"
+                                                         : "side");
     inner_ = body_.wall_called("inner");
     for (const char* name : {"first", "last"}) {
       const std::size_t wall = body_.wall_called(name);
@@ -196,8 +218,13 @@ class CellMaker {
       // Outside of all facets, to keep cells small while they are made.
       const Wall& wall = body_.walls[outer_];
       const Vector &p = wall.point, &a = wall.direction;
-      voro_walls_.push_back(std::make_unique<voro::wall_cylinder>(
-          p.x, p.y, p.z, a.x, a.y, a.z, wall.radius + 0.5, id_of(outer_)));
+      const double far = wall.radius + 0.5;
+      if (domain.is_sphere())
+        voro_walls_.push_back(
+            std::make_unique<voro::wall_sphere>(p.x, p.y, p.z, far, id_of(outer_)));
+      else
+        voro_walls_.push_back(std::make_unique<voro::wall_cylinder>(p.x, p.y, p.z, a.x, a.y, a.z,
+                                                                    far, id_of(outer_)));
     }
     for (const auto& wall : voro_walls_) container_->add_wall(wall.get());
   }
@@ -212,9 +239,11 @@ class CellMaker {
   bool keep_inside(Cell& cell, const Facets& facets, std::size_t wall) {
     const Vector from_axis = body_.position[element_] - body_.walls[wall].point;
     const int id = id_of(wall);
-    for (const Vector& n : facets.normal)
-      if (!cell.nplane(n.x, n.y, n.z, 2.0 * (facets.distance - dot(n, from_axis)), id))
-        return false;
+    const double reach = 1.0001 * std::sqrt(cell.max_radius_squared());
+    for (const Vector& n : facets.normal) {
+      const double distance = facets.distance - dot(n, from_axis);
+      if (distance < reach && !cell.nplane(n.x, n.y, n.z, 2.0 * distance, id)) return false;
+    }
     return true;
   }
 
@@ -300,7 +329,7 @@ class CellMaker {
                                 body_.walls[wall].conduction_length(body_.position[element_])}});
   }
 
-  const Body& body_;
+  const ScaledBody& body_;
   std::unique_ptr<voro::container_poly> container_;
   std::vector<std::unique_ptr<voro::wall>> voro_walls_;
   std::vector<std::pair<int, int>> place_;  // of each element in the container
@@ -326,12 +355,19 @@ bool fills_its_shape(const Domain& domain) {
   return std::abs(domain.volume - expected) <= 1e-9 * expected;
 }
 
-void check_body(const Specimen& specimen, const Body& body) {
+void check_body(const Specimen& specimen, const ScaledBody& body) {
   const Domain& domain = specimen.domain;
   if (domain.shape == "imported")
     throw InputError(
         "cells: the specimen's file does not say what shape its body has, without which there are "
         "no cells; give [specimen] shape and its measures");
+  if (!domain.has_walls())
+    throw InputError(fmt::format(
+        "cells: there are none of {}, whose walls are not known; expected a whole body of one of "
+        "the shapes, or a platonic law",
+        domain.cuts > 0            ? "a body that something was cut out of"
+        : domain.shape == "bodies" ? "several bodies"
+                                   : "a " + domain.shape));
   const double expected = volume_of(domain);
   if (!fills_its_shape(domain))
     throw InputError(fmt::format(
@@ -374,7 +410,7 @@ void join_sides(const std::vector<Chunk>& chunks, double unit, Tessellation& res
 }
 
 // Cells fill the body but for round-off, which is shared out.
-void scale_to_body(const Body& body, const Domain& domain, Tessellation& result) {
+void scale_to_body(const ScaledBody& body, const Domain& domain, Tessellation& result) {
   const double sum = std::accumulate(result.volume.begin(), result.volume.end(), 0.0);
   if (!(std::abs(sum / body.domain.volume - 1.0) < volume_tolerance))
     throw RunError(
@@ -406,7 +442,8 @@ bool boxes_meet(const Polyhedron& solid, const Vector& lower, const Vector& uppe
 
 // Gathers what take(faces, walls, element, in hole, into) makes of each solid of the cells.
 template <class Take>
-std::vector<CellSolid> gather_solids(const Specimen& specimen, const Body& body, const Take& take) {
+std::vector<CellSolid> gather_solids(const Specimen& specimen, const ScaledBody& body,
+                                     const Take& take) {
   const std::size_t n = specimen.size();
   std::vector<std::vector<CellSolid>> chunks((n + chunk_size - 1) / chunk_size);
   const auto chunk_count = static_cast<std::ptrdiff_t>(chunks.size());
@@ -438,7 +475,7 @@ std::vector<CellSolid> gather_solids(const Specimen& specimen, const Body& body,
 }  // namespace
 
 bool has_cells(const Specimen& specimen) {
-  if (!fills_its_shape(specimen.domain)) return false;
+  if (!specimen.domain.has_walls() || !fills_its_shape(specimen.domain)) return false;
   const std::vector<Wall> walls = walls_of(specimen.domain);
   return std::all_of(specimen.position.begin(), specimen.position.end(), [&](const Vector& p) {
     return std::all_of(walls.begin(), walls.end(),
@@ -448,7 +485,7 @@ bool has_cells(const Specimen& specimen) {
 
 std::vector<CellSolid> cell_solids(const Specimen& specimen, const Vector& lower,
                                    const Vector& upper) {
-  const Body body(specimen);
+  const ScaledBody body(specimen);
   check_body(specimen, body);
   return gather_solids(specimen, body,
                        [&](const Polyhedron& solid, const std::vector<std::size_t>& /*walls*/,
@@ -462,7 +499,7 @@ std::vector<CellSolid> cell_solids(const Specimen& specimen, const Vector& lower
 
 std::vector<CellSolid> wall_slabs(const Specimen& specimen, const std::string& wall,
                                   double thickness) {
-  const Body body(specimen);
+  const ScaledBody body(specimen);
   check_body(specimen, body);
   const std::size_t asked = body.wall_called(wall);
   const bool is_hole = wall == "inner";
@@ -477,7 +514,7 @@ std::vector<CellSolid> wall_slabs(const Specimen& specimen, const std::string& w
 }
 
 Tessellation tessellate(const Specimen& specimen) {
-  const Body body(specimen);
+  const ScaledBody body(specimen);
   check_body(specimen, body);
   const std::size_t n = specimen.size();
   Tessellation result;

@@ -8,6 +8,8 @@ namespace solidem {
 
 namespace {
 
+constexpr double pi = 3.14159265358979323846;
+
 void add_flat_ends(const Domain& domain, std::vector<Wall>& walls) {
   const Vector extent = domain.upper - domain.lower;
   const bool round = domain.radius > 0;
@@ -27,6 +29,11 @@ void add_flat_ends(const Domain& domain, std::vector<Wall>& walls) {
 }
 
 void add_round_walls(const Domain& domain, std::vector<Wall>& walls) {
+  if (domain.is_sphere()) {
+    const double R = domain.radius;
+    walls.push_back({"surface", 4 * pi * R * R, domain.axis_point(), {}, R});
+    return;
+  }
   const double length = component(domain.upper - domain.lower, domain.axis);
   const double R = domain.radius, r = domain.inner_radius, arc = domain.arc();
   const Vector centre = domain.axis_point();
@@ -54,12 +61,14 @@ double Wall::conduction_length(const Vector& from) const {
   const double normal_distance = distance(from);
   if (!(radius > 0)) return normal_distance;
   const double from_axis = concave ? radius + normal_distance : radius - normal_distance;
-  return radius * std::abs(std::log(std::max(from_axis / radius, 0.5)));
+  const double share = std::max(from_axis / radius, 0.5);
+  const bool is_sphere = !(dot(direction, direction) > 0);
+  return is_sphere ? radius * std::abs(1 / share - 1) : radius * std::abs(std::log(share));
 }
 
 std::vector<Wall> walls_of(const Domain& domain) {
   std::vector<Wall> walls;
-  if (domain.shape == "imported") return walls;
+  if (!domain.has_walls()) return walls;
   add_flat_ends(domain, walls);
   if (domain.radius > 0) add_round_walls(domain, walls);
   return walls;

@@ -72,6 +72,11 @@ double relative_conductivity(const ConductionGeometry& geometry, const Specimen&
         "its "
         "body has, which the steady bar test needs; give [specimen] shape and its measures, or "
         "area_factor");
+  if (!domain.has_walls() || domain.is_sphere())
+    throw InputError(
+        "[conduction] law = \"platonic-calibrated\": the steady bar test needs a body with one "
+        "section from end to end, not a sphere, a mesh, several bodies or one with cuts; give "
+        "area_factor");
   const int axis = bar_axis(domain);
   if (axis < 0 || domain.periodic[static_cast<std::size_t>(axis)])
     throw InputError(

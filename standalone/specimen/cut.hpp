@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Parts that are taken out of a body: notches, holes. An element goes when its centre lies in one;
+// the volume that the body keeps is computed from the shapes, not from the elements.
+#ifndef SOLIDEM_SPECIMEN_CUT_HPP
+#define SOLIDEM_SPECIMEN_CUT_HPP
+
+#include <memory>
+#include <vector>
+
+#include "model/facet_tree.hpp"
+#include "model/shape.hpp"
+#include "model/specimen.hpp"
+
+namespace solidem {
+
+/// A part that is taken out of a body: a simple solid, turned about its centre, or what a closed
+/// mesh bounds.
+struct Cut {
+  Shape::Part part;  ///< `offset` is where its centre is
+  Quaternion<double> turned{};
+  bool takes_touched = false;               ///< elements that reach into it go, too
+  std::shared_ptr<const FacetTree> mesh{};  ///< where it is put; then it is no part
+
+  /// From a point to the solid, m; 0 inside.
+  double distance(const Vector& point) const;
+};
+
+/// Takes the elements with their centres in the cuts out of a specimen of one body that has a
+/// shape, and their volume out of the body's. `surface`: of a body that is a mesh, else null. Sets
+/// follow, bonds are dropped. Throws InputError when a cut takes away no volume or no element, or
+/// leaves none; when one is narrower than an element, so that bonds would join what it parts; when
+/// cuts reach through a periodic side; when the body's shape is not known.
+void cut_out(Specimen& specimen, const std::vector<Cut>& cuts, const FacetTree* surface = nullptr);
+
+/// The volume that cuts leave of a body, m³. Exact to round-off where no two round surfaces (of
+/// cuts, of the body) meet; where they do, one of them counts as facets there, and the volume is
+/// within 1e-7 of the body's.
+double volume_left(const Domain& body, const std::vector<Cut>& cuts,
+                   const FacetTree* surface = nullptr);
+
+}  // namespace solidem
+
+#endif
