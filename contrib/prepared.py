@@ -255,6 +255,7 @@ class Parameters:
     damage: Damage | None = None
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  #: acceleration of free fall, m/s²
     local_damping: float = 0.0  #: Cundall's coefficient
+    bond_damping: float = 0.0  #: critical ratio of the dashpots of bonds
 
     @property
     def is_loose(self) -> bool:
@@ -462,6 +463,7 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         _known(Damage, laws.get("damage")),
         _vector(laws.get("gravity", {}).get("acceleration", (0, 0, 0))),
         float(laws.get("damping", {}).get("local") or 0.0),
+        float(laws.get("damping", {}).get("bonds") or 0.0),
     )
 
 

@@ -120,7 +120,7 @@ def group_lines(name: str, elements: Any) -> str:
 
 
 def bond_words(beams: Beams, plasticity: Plasticity | None = None, rupture: Rupture | None = None,
-               contact: Contact | None = None) -> str:
+               contact: Contact | None = None, damping: float = 0.0) -> str:
     """What bond_coeff says of beams, after the types."""
     young = beams.young_modulus
     words = [full(young), full(beams.shear_modulus)]
@@ -149,6 +149,7 @@ def bond_words(beams: Beams, plasticity: Plasticity | None = None, rupture: Rupt
         words += ["contact", full(contact.stiffness_ratio)]
         if contact.rebonding_pressure:
             words += ["rebonding_pressure", full(contact.rebonding_pressure)]
+    words += ["damping", full(damping)] if damping else []
     return " ".join(words)
 
 
@@ -165,13 +166,15 @@ def beam_lines(specimen: Specimen, parameters: Parameters) -> str:
         raise PreparedError(f"{specimen.path}: the scene has no [beams]")
     parameters.beams.rigidity(specimen)
     words = bond_words(parameters.beams, parameters.plasticity, parameters.rupture,
-                       parameters.contact)
+                       parameters.contact, parameters.bond_damping)
     minimal = parameters.rupture.minimal_bonds if parameters.rupture else 0
     lines = f"bond_style solidem/beam\nbond_coeff 1 {words}\nfix bonds all solidem/bonds"
     lines += f" minimal_bonds {minimal}\n" if minimal else "\n"
     lines += field_lines(parameters)
     for number, grip in enumerate(parameters.grips):
         lines += _grip_lines(f"grip{number}", grip, specimen.sets[f"grip.{grip.name}"])
+        if parameters.bond_damping:  # which sees velocities from the start
+            lines += f"velocity grip{number} set {_speed(grip)} units box\n"
     held = " ".join(f"grip{number}" for number in range(len(parameters.grips)))
     lines += f"group free subtract all {held}\n" if held else ""
     return lines + f"fix motion {'free' if held else 'all'} nve/solidem\n"
@@ -206,7 +209,7 @@ def loose_lines(specimen: Specimen, parameters: Parameters) -> str:
 
 
 def field_lines(parameters: Parameters) -> str:
-    """The commands for gravity; PreparedError for damping, which LIGGGHTS has not."""
+    """The commands for gravity; PreparedError for local damping, which LIGGGHTS has not."""
     if parameters.local_damping:
         raise PreparedError("[damping] local is not supported in LIGGGHTS")
     strength = float(np.linalg.norm(parameters.gravity))
@@ -216,10 +219,15 @@ def field_lines(parameters: Parameters) -> str:
     return f"fix gravity all gravity {full(strength)} vector {towards}\n"
 
 
+def _speed(grip: Grip) -> str:
+    """The words for a grip's velocity."""
+    return " ".join("NULL" if v is None else full(v) for v in grip.velocity)
+
+
 def _grip_lines(name: str, grip: Grip, elements: Integers) -> str:
     """Elements held or moved steadily; along free axes, and in turning, they obey their bonds."""
-    speed = " ".join("NULL" if v is None else full(v) for v in grip.velocity)
-    lines = group_lines(name, elements) + f"fix {name} {name} move linear {speed} units box\n"
+    lines = group_lines(name, elements)
+    lines += f"fix {name} {name} move linear {_speed(grip)} units box\n"
     return lines if grip.rotation_fixed else (
         lines + f"fix {name}_turning {name} nve/solidem rotation_only\n")
 
@@ -267,8 +275,7 @@ def central_lines(specimen: Specimen, parameters: Parameters) -> str:
         lines += f"fix damage all solidem/damage {damage_words(damage)}\n"
     lines += field_lines(parameters)
     for number, grip in enumerate(parameters.grips):
-        name, speed = f"grip{number}", " ".join("NULL" if v is None else full(v)
-                                                for v in grip.velocity)
+        name, speed = f"grip{number}", _speed(grip)
         lines += group_lines(name, specimen.sets[f"grip.{grip.name}"])
         lines += f"velocity {name} set {speed} units box\n"  # dissipation sees it from the start
         lines += f"fix {name} {name} move linear {speed} units box\n"

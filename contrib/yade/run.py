@@ -50,6 +50,8 @@ def _scene(specimen: Specimen, parameters: Parameters, law: str):
     parameters.require_support()
     if parameters.beams and parameters.conduction:
         raise SystemExit("run.py: beams and conduction together are not supported in YADE")
+    if parameters.bond_damping:
+        raise SystemExit("run.py: [damping] bonds is not supported in YADE")
     if parameters.central_forces:
         from scripted_central_forces import CentralForceScene
 

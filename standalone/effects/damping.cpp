@@ -2,7 +2,8 @@
 //
 // [damping]: viscous damping, and Cundall's local damping, of all that moves freely:
 // laws/damping.hpp. It acts last in a step, when all forces are known and grips have taken the
-// motion that they impose out of the velocities, which so stays undamped.
+// motion that they impose out of the velocities, which so stays undamped. Damping of bonds is
+// effects/bond_damping.cpp.
 //
 // Viscous damping is exact over half a step before elements move and half a step after: second
 // order in the step, and stable at any step and rate.
@@ -12,9 +13,11 @@
 #include <memory>
 
 #include "effects/assembly.hpp"
+#include "effects/bond_damping.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/grips.hpp"
 #include "effects/push.hpp"
+#include "effects/turning_grip.hpp"
 #include "keys/rules.hpp"
 #include "model/lane_vectors.hpp"
 
@@ -52,6 +55,7 @@ constexpr Column angular_velocity_before{"angular_velocity_before",
 struct DampingParameters {
   std::optional<double> viscous;  ///< c, 1/s
   std::optional<double> local;    ///< α
+  std::optional<double> bonds;    ///< ζ
 };
 
 /// Velocities, or angular velocities, with their inertia, and what damping remembers of them.
@@ -187,16 +191,28 @@ std::vector<Key> damping_keys(DampingParameters& p, Reading& /*reading*/) {
           may_have("local", number(p.local, Range{0, 1, false, false}))
               .means("Cundall's α: of the sum of all other forces on an element, along each axis, "
                      "this fraction acts against its velocity; moments alike")
+              .without("none"),
+          may_have("bonds", number(p.bonds, positive))
+              .means("critical ratio ζ of dashpots beside the tension, shear, bending and twist of "
+                     "each beam; the stable step is shorter by about √(1 + 4ζ²) + 2ζ")
               .without("none")};
 }
 
-void finish_damping(const Section& section, DampingParameters& p, Reading& /*reading*/) {
-  if (!p.viscous && !p.local) section.refuse("nothing is damped", "viscous or local, or both");
+void finish_damping(const Section& section, DampingParameters& p, Reading& reading) {
+  if (!p.viscous && !p.local && !p.bonds)
+    section.refuse("nothing is damped", "viscous, local or bonds");
+  if (p.bonds && !reading.setup.get<BeamParameters>())
+    section.refuse("bonds", "there are no beams to be damped", "a section [beams]");
+  if (p.bonds && !reading.setup.all<TurningGripParameters>().empty())
+    section.refuse("bonds", "dashpots do not follow grips that turn",
+                   "no bonds here, or grips that do not turn");
 }
 
 void plan_damping(const Setup& setup, Plan& plan) {
   const auto& damping = setup.get<DampingParameters>();
   if (!damping) return;
+  if (damping->bonds) plan_bond_damping(*damping->bonds, setup, plan);
+  if (!damping->viscous && !damping->local) return;
   plan.effects.push_back(
       {"damping", "[damping]", "", Phase::constrain, [damping = *damping](Assembly& assembly) {
          return std::make_unique<Damping>(damping, assembly.all<Grip>(), assembly.model);

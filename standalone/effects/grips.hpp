@@ -39,12 +39,12 @@ class Grip : public Effect {
 
   /// Whether the grip says where its elements are along an axis.
   bool imposed(int axis) const;
+  /// How fast, m/s, along an axis that it imposes.
+  double imposed_velocity(int axis, double time) const;
   /// Whether its elements do not turn.
   bool holds_rotation() const { return parameters_.rotation_fixed; }
 
  protected:
-  double imposed_velocity(int axis, double time) const;
-
   GripParameters parameters_;
   std::vector<std::int32_t> elements_;
   std::vector<Vector> rest_;  ///< where the elements stood at the start

@@ -353,7 +353,7 @@ void Tool::observe(const Model& model, Observation& observation) const {
   }
   using Kind = EnergyLedger::Kind;
   observation.energies.add(Kind::stored, "contact_energy", stored_);
-  observation.energies.add(Kind::dissipated, "contact_friction", friction_);
+  observation.energies.add(Kind::dissipated, "friction", friction_);
   observation.energies.add(Kind::dissipated, "contact_damping", damping_);
   observation.energies.add(Kind::input, "external_work", work_);
   const double rate = motion_.angular_velocity(observation.time);

@@ -93,7 +93,7 @@ TEST(Tools, ABallThatSlidesRollsInTheEndAtFiveSeventhsOfItsSpeed) {
   EXPECT_NEAR(velocity_of(simulation, 0).x, 5.0 / 7 * v, 4e-4);
   EXPECT_NEAR(hand_radius * spin_of(simulation, 0).y, 5.0 / 7 * v, 1e-3);
   const double m = 1 / simulation.model().data(columns::inverse_mass)[0];
-  EXPECT_NEAR(seen(simulation, "contact_friction"), m * v * v / 7, 2e-3 * m * v * v);
+  EXPECT_NEAR(seen(simulation, "friction"), m * v * v / 7, 2e-3 * m * v * v);
 }
 
 /// Acceleration down an incline of tan θ = 0.3 over g.
@@ -209,7 +209,7 @@ TEST(Tools, WorkOfToolsIsWhatTheBodyGainsToSecondOrder) {
       simulation.advance(ratio == 0.1 ? 40 : 80);
       worst = std::max(worst, std::fabs(seen(simulation, "energy_balance")));
     }
-    EXPECT_GT(seen(simulation, "contact_friction"), 0);
+    EXPECT_GT(seen(simulation, "friction"), 0);
     EXPECT_GT(seen(simulation, "contact_damping"), 0);
     error.push_back(worst / std::fabs(seen(simulation, "external_work")));
   }

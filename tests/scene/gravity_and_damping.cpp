@@ -179,7 +179,7 @@ TEST(Damping, GoesOnFromACheckpointToTheSameBits) {
 }
 
 TEST(Damping, IsRefusedWhereItMakesNoSense) {
-  EXPECT_NE(complaint(crystal + "[damping]\n").find("viscous or local"), std::string::npos);
+  EXPECT_NE(complaint(crystal + "[damping]\n").find("viscous, local or bonds"), std::string::npos);
   EXPECT_NE(complaint(crystal + "[damping]\nlocal = 1.0\n").find("[damping] local"),
             std::string::npos);
 }

@@ -90,6 +90,12 @@ def test_effects_of_which_no_other_code_is_told(bar: Bar, section: str, laws: di
         parse_parameters(task).require_support()
 
 
+def test_damping_of_bonds(bar: Bar, tmp_path: Path) -> None:
+    task = beam_task(bar, 1.0, 10)
+    task["laws"] |= {"damping": {"viscous": None, "local": None, "bonds": 0.1}}
+    refuses(bar.path, task, tmp_path, "[damping] bonds is not supported in YADE")
+
+
 def test_bodies_that_move_from_the_start(bar: Bar, tmp_path: Path) -> None:
     task = {**beam_task(bar, 1.0, 10), "initial_velocities": 1}
     refuses(bar.path, task, tmp_path, "initial velocities")

@@ -22,6 +22,7 @@
 #include "compute_solidem_bond.h"
 #include "compute_solidem_broken_atom.h"
 #include "fix_nve_solidem.h"
+#include "fix_solidem_bond_create.h"
 #include "fix_solidem_bonds.h"
 #include "fix_solidem_central.h"
 #include "fix_solidem_conduction.h"
@@ -100,6 +101,7 @@ Pair* Force::new_pair_from_restart(FILE* file, const char* style, const char* su
 void Modify::add_fix(int narg, char** arg, char* suffix) {
   auto& fixes = fix_map_of(*this);
   fixes["nve/solidem"] = &create_fix<FixNVESolidem>;
+  fixes["solidem/bond/create"] = &create_fix<FixSolidemBondCreate>;
   fixes["solidem/bonds"] = &create_fix<FixSolidemBonds>;
   fixes["solidem/central"] = &create_fix<FixSolidemCentral>;
   fixes["solidem/conduction"] = &create_fix<FixSolidemConduction>;

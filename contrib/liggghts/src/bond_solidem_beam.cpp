@@ -21,6 +21,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "laws/rigid_sphere.hpp"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -43,7 +44,15 @@ void add(double* a, const Vector& b) {
 }  // namespace
 
 BondSolidemBeam::BondSolidemBeam(LAMMPS* liggghts)
-    : Bond(liggghts), orientation(NULL), contact_energy_(0.0), broke_(0) {
+    : Bond(liggghts),
+      orientation(NULL),
+      motion_at_pose(NULL),
+      motion_before(NULL),
+      after_setup_(true),
+      damping_power_(0.0),
+      damping_power_now_(0.0),
+      contact_energy_(0.0),
+      broke_(0) {
   n_granhistory(SolidemBondMemory::ELASTIC);
 }
 
@@ -54,6 +63,11 @@ BondSolidemBeam::~BondSolidemBeam() {
 bool BondSolidemBeam::may_break() const {
   return std::any_of(beams.begin() + 1, beams.end(),
                      [](const SolidemBeam& beam) { return beam.may_break(); });
+}
+
+bool BondSolidemBeam::may_damp() const {
+  return std::any_of(beams.begin() + 1, beams.end(),
+                     [](const SolidemBeam& beam) { return beam.damping_ratio > 0.0; });
 }
 
 bool BondSolidemBeam::bears_moments() const {
@@ -75,6 +89,14 @@ void BondSolidemBeam::init_style() {
                "('newton off on')");
   orientation = static_cast<FixPropertyAtom*>(modify->find_fix_property(
       "orientation", "property/atom", "vector", 4, 0, "bond solidem/beam"));
+  motion_at_pose = motion_before = NULL;
+  if (!may_damp()) return;
+  if (!comm->ghost_velocity)
+    error->all(FLERR, "Bond style solidem/beam: damping needs 'communicate single vel yes'");
+  motion_at_pose = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+      "motionAtPose", "property/atom", "vector", 6, 0, "bond solidem/beam"));
+  motion_before = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+      "motionBefore", "property/atom", "vector", 6, 0, "bond solidem/beam"));
 }
 
 SolidemBondEnds BondSolidemBeam::ends(int& i, int& j) const {
@@ -102,6 +124,7 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
     evflag = 0;
 
   orientation->do_forward_comm();
+  if (motion_at_pose) lead_motion();
 
   double** f = atom->f;
   double** torque = atom->torque;
@@ -117,7 +140,8 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
     const SolidemBondEnds place = ends(i, j);
     const SolidemBeam& beam = beams[neighbor->bondlist[n][2]];
     double* history = neighbor->bondhistlist[n];
-    const SolidemBondAction action = beam.act(history, place, step, eflag);
+    SolidemBondAction action = beam.act(history, place, step, eflag);
+    if (motion_at_pose && beam.damps(history)) damp(beam, history, place, i, j, action.load);
 
     if (newton_bond || i < nlocal) {
       add(f[i], action.load.force);
@@ -138,6 +162,56 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
       tally(i, j, action.elastic_energy + action.contact_energy, d, on_i);
     }
   }
+  if (motion_at_pose) enter_damping();
+}
+
+/* ----------------------------------------------------------------------
+   dashpots see velocities at the time of the pose: who integrates leaves them
+   half a step behind, so they are led on along their last change; in setup
+   they are there already
+------------------------------------------------------------------------- */
+
+void BondSolidemBeam::lead_motion() {
+  const double dt = update->dt;
+  const double kick = after_setup_ ? 0.5 * dt : dt;
+  const double weight = update->setupflag ? 0.0 : solidem::lead_to_pose(dt, kick);
+  after_setup_ = update->setupflag;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double now[6] = {atom->v[i][0],     atom->v[i][1],     atom->v[i][2],
+                           atom->omega[i][0], atom->omega[i][1], atom->omega[i][2]};
+    double* before = motion_before->array_atom[i];
+    double* at_pose = motion_at_pose->array_atom[i];
+    for (int k = 0; k < 6; k++) {
+      at_pose[k] = now[k] + weight * (now[k] - before[k]);
+      before[k] = now[k];
+    }
+  }
+  motion_at_pose->do_forward_comm();
+}
+
+// Adds the loads of a bond's dashpots to those of its beam; i has the lower tag.
+void BondSolidemBeam::damp(const SolidemBeam& beam, const double* history,
+                           const SolidemBondEnds& place, int i, int j,
+                           solidem::BeamLoad<double>& load) {
+  const double* a = motion_at_pose->array_atom[i];
+  const double* b = motion_at_pose->array_atom[j];
+  const double mass_i = atom->rmass[i], mass_j = atom->rmass[j];
+  const solidem::DashpotAction<double> action = beam.damp(
+      history, place,
+      {solidem_vector(b) - solidem_vector(a), solidem_vector(a + 3), solidem_vector(b + 3)},
+      {1.0 / mass_i + 1.0 / mass_j, 1.0 / solidem::sphere_inertia(mass_i, atom->radius[i]) +
+                                        1.0 / solidem::sphere_inertia(mass_j, atom->radius[j])});
+  load.force += action.load.force;
+  load.moment_i += action.load.moment_i;
+  load.moment_j += action.load.moment_j;
+  damping_power_now_ += owned_fraction(i, j) * action.power;
+}
+
+void BondSolidemBeam::enter_damping() {
+  if (!update->setupflag)
+    ledger.damping += 0.5 * update->dt * (damping_power_ + damping_power_now_);
+  damping_power_ = damping_power_now_;
+  damping_power_now_ = 0.0;
 }
 
 void BondSolidemBeam::enter(const SolidemBondAction& action, double fraction) {

@@ -30,6 +30,7 @@ struct SolidemLedger {
   double broken = 0.0, formed = 0.0;
   double fracture_energy = 0.0;
   double first_rupture = 0.0;  ///< step plus one; 0: none
+  double damping = 0.0;        ///< energy that dashpots took
 };
 
 /// Beam between the centres of two spheres, elastic, plastic or brittle. What one bond does is in
@@ -50,6 +51,7 @@ class BondSolidemBeam : public Bond {
 
   const SolidemBeam& beam(int type) const { return beams[type]; }
   bool may_break() const;
+  bool may_damp() const;
   /// Does any type bear bending or torsion?
   bool bears_moments() const;
   /// The ends of a bond between two atoms of this rank, ghosts included; i is made the lower tag.
@@ -66,12 +68,19 @@ class BondSolidemBeam : public Bond {
  private:
   std::vector<SolidemBeam> beams;  // by bond type
   class FixPropertyAtom* orientation;
+  class FixPropertyAtom *motion_at_pose, *motion_before;  // NULL: no bond is damped
+  bool after_setup_;  // are velocities known at the last pose, and not half a step before it?
+  double damping_power_, damping_power_now_;  // at the last step and at this, this rank's share
   double contact_energy_;
   int broke_;
 
   void allocate();
   void widen_history();
   void enter(const SolidemBondAction& action, double fraction);
+  void lead_motion();
+  void damp(const SolidemBeam& beam, const double* history, const SolidemBondEnds& place, int i,
+            int j, solidem::BeamLoad<double>& load);
+  void enter_damping();
   void tally(int, int, double, const double*, const double*);
 };
 

@@ -29,6 +29,7 @@
 #include "laws/rigid_sphere.hpp"
 #include "modify.h"
 #include "neighbor.h"
+#include "pair.h"
 #include "solidem_reach.h"
 #include "solidem_restart.h"
 #include "update.h"
@@ -49,16 +50,16 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
     : Fix(liggghts, narg, arg),
       history(NULL),
       list_is_current(false),
+      contacts(liggghts),
+      bonded_contacts(false),
+      contacts_are_new(true),
       minimal_bonds(0),
       beams(NULL),
       orientation(NULL),
       lost(NULL),
       removed(NULL),
       gone_plastic_work(0.0) {
-  if (narg != 3 && (narg != 5 || strcmp(arg[3], "minimal_bonds") != 0))
-    error->fix_error(FLERR, this, "takes no arguments but 'minimal_bonds N'");
-  if (narg == 5) minimal_bonds = force->inumeric(FLERR, arg[4]);
-  if (minimal_bonds < 0) error->fix_error(FLERR, this, "minimal_bonds must not be negative");
+  read_options(narg, arg);
   if (igroup != 0) error->fix_error(FLERR, this, "must be used with group 'all'");
   if (!atom->avec->bonds_allow)
     error->fix_error(FLERR, this, "needs 'atom_style hybrid granular molecular'");
@@ -67,7 +68,7 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
   if (atom->bond_hist) error->fix_error(FLERR, this, "the bonds' history already has an owner");
 
   vector_flag = 1;
-  size_vector = 7;
+  size_vector = 8;
   global_freq = 1;
   extvector = 1;
   comm_reverse = 2;
@@ -82,6 +83,20 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
+}
+
+void FixSolidemBonds::read_options(int narg, char** arg) {
+  const char* known = "takes no arguments but 'minimal_bonds N' and 'bonded_contacts yes' or 'no'";
+  for (int k = 3; k < narg; k += 2) {
+    const std::string key = arg[k], value = k + 1 < narg ? arg[k + 1] : "";
+    if (key == "minimal_bonds" && !value.empty())
+      minimal_bonds = force->inumeric(FLERR, arg[k + 1]);
+    else if (key == "bonded_contacts" && (value == "yes" || value == "no"))
+      bonded_contacts = value == "yes";
+    else
+      error->fix_error(FLERR, this, known);
+  }
+  if (minimal_bonds < 0) error->fix_error(FLERR, this, "minimal_bonds must not be negative");
 }
 
 FixSolidemBonds::~FixSolidemBonds() {
@@ -108,6 +123,20 @@ void FixSolidemBonds::find_properties() {
   beams = dynamic_cast<BondSolidemBeam*>(force->bond);
   if (beams && beams->may_break()) lost = property("lostBonds", "no", "yes");
   if (minimal_bonds > 0) removed = property("removedAtom", "yes", "no");
+  if (beams && beams->may_damp()) {
+    keep_motion("motionAtPose", "yes");
+    keep_motion("motionBefore", "no");
+  }
+}
+
+// Six numbers of every atom, which no restart file needs; made if there are none. Without a
+// default: LIGGGHTS would give it to all atoms once more at the end of the first setup.
+void FixSolidemBonds::keep_motion(const char* name, const char* forward) {
+  if (modify->find_fix_property(name, "property/atom", "vector", 6, 0, style, false)) return;
+  const char* command[] = {name, "all",  "property/atom", name,   "vector", "no",   forward,
+                           "no", "none", "none",          "none", "none",   "none", "none"};
+  FixPropertyAtom* kept = modify->add_fix_property_atom(14, const_cast<char**>(command), style);
+  for (int i = 0; i < atom->nlocal; i++) std::fill_n(kept->array_atom[i], 6, 0.0);
 }
 
 // A number of every atom, zero at first; made if there is none.
@@ -137,6 +166,7 @@ void FixSolidemBonds::init() {
     error->fix_error(FLERR, this, "bonds that break cannot conduct heat as well");
   if (history->most_numbers_of_an_atom() > MOST_NUMBERS_OF_AN_ATOM)
     error->fix_error(FLERR, this, "an atom has too many bonds for the buffers of LIGGGHTS");
+  require_one_list();
   require_turning();
 }
 
@@ -177,12 +207,72 @@ int FixSolidemBonds::bonded_and_unturned(int moved, int turned) const {
 }
 
 // The neighbour lists were just built: from now on the bond style works on neighbor->bondhistlist.
-void FixSolidemBonds::setup_pre_force(int) {
-  list_is_current = true;
+void FixSolidemBonds::setup_pre_force(int step) {
+  pre_force(step);
 }
 
 void FixSolidemBonds::pre_force(int) {
   list_is_current = true;
+  if (contacts_are_new)
+    hide_bonded_pairs();
+  else
+    show_parted_pairs();
+  contacts_are_new = false;
+}
+
+/* ----------------------------------------------------------------------
+   two atoms push each other by their bond or by a granular pair style, never
+   by both: as long as the bond holds, the pair is hidden from the list of the
+   pair style. In the step after a rupture it is back
+------------------------------------------------------------------------- */
+
+// With newton_bond on only one of two ranks knows of a bond, but both list the contact.
+void FixSolidemBonds::require_one_list() {
+  if (force->newton_bond && !bonded_contacts && force->pair_match("gran", 0))
+    error->fix_error(FLERR, this,
+                     "beside a granular pair style newton_bond must be off ('newton off'), that "
+                     "bonded atoms be told from touching ones; or let contacts act between bonded "
+                     "atoms, too, by 'bonded_contacts yes'");
+}
+
+void FixSolidemBonds::hide_bonded_pairs() {
+  hidden_pairs.clear();
+  const Pair* granular = bonded_contacts ? NULL : force->pair_match("gran", 0);
+  if (!granular || !granular->list) return;
+  contacts.begin(granular->list);
+  for (int n = 0; n < neighbor->nbondlist; n++) {
+    if (!holds(n)) continue;
+    hidden_pairs.push_back(n);
+    contacts.hide(neighbor->bondlist[n][0], neighbor->bondlist[n][1]);
+  }
+}
+
+void FixSolidemBonds::show_parted_pairs() {
+  if (!lost) return;  // no bond breaks
+  for (size_t k = hidden_pairs.size(); k-- > 0;) {
+    const int n = hidden_pairs[k];
+    if (holds(n)) continue;
+    hidden_pairs[k] = hidden_pairs.back();
+    hidden_pairs.pop_back();
+    if (!is_held_by_another(n)) contacts.show(neighbor->bondlist[n][0], neighbor->bondlist[n][1]);
+  }
+}
+
+bool FixSolidemBonds::holds(int n) const {
+  if (!beams) return true;
+  int i = neighbor->bondlist[n][0], j = neighbor->bondlist[n][1];
+  const SolidemBondEnds ends = beams->ends(i, j);
+  return beams->beam(neighbor->bondlist[n][2])
+      .holds(neighbor->bondhistlist[n], ends, static_cast<double>(update->ntimestep));
+}
+
+// Whether another bond of the same two atoms still holds them.
+bool FixSolidemBonds::is_held_by_another(int n) const {
+  int** list = neighbor->bondlist;
+  return std::any_of(hidden_pairs.begin(), hidden_pairs.end(), [&](int other) {
+    return (list[other][0] == list[n][0] && list[other][1] == list[n][1]) ||
+           (list[other][0] == list[n][1] && list[other][1] == list[n][0]);
+  });
 }
 
 // At the start of a run Neighbor::init has emptied the list; post_run stored it in time.
@@ -204,6 +294,7 @@ void FixSolidemBonds::setup_pre_neighbor() {
 
 void FixSolidemBonds::pre_neighbor() {
   history->settle_all();
+  contacts_are_new = true;
 }
 
 void FixSolidemBonds::require_bonds_switched_on() const {
@@ -399,6 +490,11 @@ double FixSolidemBonds::plastic_work() {
 }
 
 double FixSolidemBonds::compute_vector(int n) {
+  if (beams && n == 7) {
+    double damping;
+    MPI_Allreduce(&beams->ledger.damping, &damping, 1, MPI_DOUBLE, MPI_SUM, world);
+    return damping;
+  }
   if (!beams || history->width() < Row::CHANGING) return n == 6 ? -1.0 : 0.0;
   const SolidemLedger& ledger = beams->ledger;
   double here = 0.0, all;
@@ -431,24 +527,25 @@ void FixSolidemBonds::write_restart(FILE* fp) {
   SolidemLedger mine;
   if (beams) mine = beams->ledger;
   const double never = std::numeric_limits<double>::max();
-  double sums[4] = {mine.broken, mine.formed, mine.fracture_energy, gone_plastic_work};
+  double sums[5] = {mine.broken, mine.formed, mine.fracture_energy, gone_plastic_work,
+                    mine.damping};
   double first = mine.first_rupture == 0.0 ? never : mine.first_rupture;
-  double sum[4], earliest;
-  MPI_Reduce(sums, sum, 4, MPI_DOUBLE, MPI_SUM, 0, world);
+  double sum[5], earliest;
+  MPI_Reduce(sums, sum, 5, MPI_DOUBLE, MPI_SUM, 0, world);
   MPI_Reduce(&first, &earliest, 1, MPI_DOUBLE, MPI_MIN, 0, world);
   if (comm->me != 0) return;
   if (earliest == never) earliest = 0.0;
-  solidem_write_restart(
-      fp, {static_cast<double>(history->width()), sum[0], sum[1], sum[2], sum[3], earliest});
+  solidem_write_restart(fp, {static_cast<double>(history->width()), sum[0], sum[1], sum[2], sum[3],
+                             earliest, sum[4]});
 }
 
 void FixSolidemBonds::restart(char* buffer) {
-  const std::vector<double> stored = solidem_read_restart(error, this, buffer, 6);
+  const std::vector<double> stored = solidem_read_restart(error, this, buffer, 7);
   if (static_cast<int>(stored[0]) != history->width())
     error->fix_error(FLERR, this, "the restart file holds another bond style's history");
   BondSolidemBeam* bonds = dynamic_cast<BondSolidemBeam*>(force->bond);
   if (!bonds || comm->me != 0) return;
-  bonds->ledger = {stored[1], stored[2], stored[3], stored[5]};
+  bonds->ledger = {stored[1], stored[2], stored[3], stored[5], stored[6]};
   gone_plastic_work = stored[4];
 }
 

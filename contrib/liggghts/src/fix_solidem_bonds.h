@@ -22,14 +22,17 @@ FixStyle(solidem/bonds,FixSolidemBonds)
 
 #include "fix.h"
 #include "solidem_bond_values.h"
+#include "solidem_contact_list.h"
 
 namespace LAMMPS_NS {
 
 /// The memory of a bonded solid: owns atom->bond_hist for the bond style in use, and the
 /// orientation of every atom (a `fix property/atom` of that name). No atom style of its own is
 /// needed. Bonds that are gone for good leave the atoms' lists here, and atoms that are left with
-/// too few are taken out. Global vector: plastic work, fracture energy, broken bonds, contact
-/// energy, removed atoms, bonds formed, step of the first rupture (-1: none).
+/// too few are taken out. Pairs that are bonded stand in no list of a granular pair style, unless
+/// that is asked for, and are back in it as soon as their bond lets go. Global vector: plastic
+/// work, fracture energy, broken bonds, contact energy, removed atoms, bonds formed, step of the
+/// first rupture (-1: none), energy that damping took.
 class FixSolidemBonds : public Fix {
  public:
   FixSolidemBonds(class LAMMPS*, int, char**);
@@ -71,18 +74,29 @@ class FixSolidemBonds : public Fix {
   SolidemBondValues* history;
   bool list_is_current;  // does neighbor->bondhistlist hold newer history than atom->bond_hist?
 
-  int minimal_bonds;             // atoms that lost bonds and keep fewer are removed; 0: never
-  class BondSolidemBeam* beams;  // NULL: another bond style
+  SolidemContactList contacts;
+  bool bonded_contacts;           // does a granular pair style act between bonded atoms, too?
+  bool contacts_are_new;          // was its list built since bonded pairs were hidden?
+  std::vector<int> hidden_pairs;  // of which bonds, by their place in neighbor->bondlist
+  int minimal_bonds;              // atoms that lost bonds and keep fewer are removed; 0: never
+  class BondSolidemBeam* beams;   // NULL: another bond style
   class FixPropertyAtom *orientation, *lost, *removed;
   double gone_plastic_work;                       // of bonds that left the lists of this rank
   std::vector<double> whole_bonds, broken_bonds;  // of every atom, ghosts included
 
+  void read_options(int narg, char** arg);
   void find_properties();
+  void require_one_list();
+  void hide_bonded_pairs();
+  void show_parted_pairs();
+  bool holds(int n) const;
+  bool is_held_by_another(int n) const;
   void require_turning();
   int bonded_and_unturned(int moved, int turned) const;
   void require_bonds_switched_on() const;
   void require_unit_orientations() const;
   class FixPropertyAtom* property(const char* name, const char* forward, const char* reverse);
+  void keep_motion(const char* name, const char* forward);
   void store_history();
   void store_row(int n, int i, int partner, int nth);
   void drop_gone_bonds();

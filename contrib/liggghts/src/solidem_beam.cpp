@@ -265,6 +265,29 @@ SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondE
   return {length, force, stress, solidem::beam_energy(bond.rigidity, now.pose, deformation), 0.0};
 }
 
+// A bond that breaks in this pose is not damped any more, one that is made in it not yet.
+bool SolidemBeam::damps(const double* memory) const {
+  return damping_ratio > 0.0 && (!may_break() || memory[Row::RUPTURE] == 0.0);
+}
+
+solidem::DashpotAction<double> SolidemBeam::damp(
+    const double* memory, const SolidemBondEnds& ends, const solidem::BondMotion<double>& motion,
+    const solidem::BondInertia<double>& inertia) const {
+  const double rest_length = memory[Row::REST_LENGTH];
+  return solidem::bond_damping(
+      solidem::bond_dashpots(damping_ratio, beam(ends, rest_length).rigidity, rest_length, inertia),
+      ends.chord, motion);
+}
+
+bool SolidemBeam::holds(double* memory, const SolidemBondEnds& ends, double step) const {
+  if (!may_break() || Row::is_whole(memory) || acts_as_beam(memory, step)) return true;
+  if (contact_ratio == 0.0 || Row::is_gone(memory) || Row::is_cut(memory)) return false;
+  const bool acted_apart = step > memory[Row::RUPTURE];  // and told what it lost by its last act
+  if (!acted_apart || solidem::norm(ends.chord) <= ends.radius_i + ends.radius_j) return true;
+  memory[Row::RUPTURE] = Row::GONE;
+  return false;
+}
+
 double SolidemBeam::cut(double* memory, const SolidemBondEnds& ends, double step) const {
   const SolidemBondFigures now = figures(memory, ends, step);
   const double energy = now.elastic_energy + now.contact_energy;

@@ -17,6 +17,7 @@
 #include <type_traits>
 
 #include "laws/beam_flow.hpp"
+#include "laws/bond_damping.hpp"
 #include "laws/bond_limit.hpp"
 
 namespace LAMMPS_NS {
@@ -98,6 +99,7 @@ struct SolidemBeam {
   solidem::JudgedSection rupture_section = solidem::JudgedSection::middle;
   double contact_ratio = 0.0;  ///< stiffness of contacts over E S / l; 0: no contact
   double rebonding_pressure = NEVER;
+  double damping_ratio = 0.0;  ///< critical ratio of the dashpots; 0: none
 
   bool may_break() const { return breaks; }
   bool is_offset() const { return flows && flow_rule == solidem::FlowRule::scaled_offset; }
@@ -111,8 +113,16 @@ struct SolidemBeam {
   /// whether the elastic energy is wanted; that of a contact is always told.
   SolidemBondAction act(double* memory, const SolidemBondEnds& ends, double step,
                         bool energies) const;
+  /// Whether dashpots act in the pose that the bond has just acted in, and what they do besides.
+  bool damps(const double* memory) const;
+  solidem::DashpotAction<double> damp(const double* memory, const SolidemBondEnds& ends,
+                                      const solidem::BondMotion<double>& motion,
+                                      const solidem::BondInertia<double>& inertia) const;
   /// What it looks like in a pose that it has acted in.
   SolidemBondFigures figures(const double* memory, const SolidemBondEnds& ends, double step) const;
+  /// Whether at this step nothing but the bond acts between its atoms: as a beam, or as the contact
+  /// of a broken one, which ends for good when the spheres are apart.
+  bool holds(double* memory, const SolidemBondEnds& ends, double step) const;
   /// Takes the bond away for good, after this step; the energy that was stored in it.
   double cut(double* memory, const SolidemBondEnds& ends, double step) const;
 

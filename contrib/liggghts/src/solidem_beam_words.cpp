@@ -245,11 +245,13 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
       beam.contact_ratio = words.positive("the contact's stiffness ratio");
     else if (key == "rebonding_pressure")
       beam.rebonding_pressure = words.positive(key);
+    else if (key == "damping")
+      beam.damping_ratio = words.positive("the critical ratio of damping");
     else
       words.fail(
           "unknown keyword '" + key +
           "'; known are law, plasticity, yield_section, rupture_stress, rupture_strain, rupture, "
-          "rupture_section, contact, rebonding_pressure");
+          "rupture_section, contact, rebonding_pressure, damping");
   }
   if (beam.contact_ratio > 0.0 && !beam.may_break())
     words.fail(
@@ -284,6 +286,7 @@ std::string solidem_write_beam(const SolidemBeam& beam) {
   if (beam.contact_ratio > 0.0) line += " contact " + full(beam.contact_ratio);
   if (std::isfinite(beam.rebonding_pressure))
     line += " rebonding_pressure " + full(beam.rebonding_pressure);
+  if (beam.damping_ratio > 0.0) line += " damping " + full(beam.damping_ratio);
   return line;
 }
 
