@@ -262,6 +262,11 @@ class Parameters:
         """Whether contacts are all that elements do to each other."""
         return self.contact is not None and self.beams is None and self.central_forces is None
 
+    @property
+    def is_loose(self) -> bool:
+        """Whether contacts are all that elements do to each other."""
+        return self.contact is not None and self.beams is None and self.central_forces is None
+
     def require_support(self) -> None:
         """PreparedError when the scene asks for what other codes are not given."""
         if self.unsupported:

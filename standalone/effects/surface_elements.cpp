@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "effects/kernels/kernels.hpp"
+#include "model/blocks.hpp"
 #include "neighbours/neighbourhood.hpp"
 
 namespace solidem {
@@ -58,19 +59,19 @@ std::vector<std::int32_t> surface_elements(const Specimen& specimen) {
                                              2 * probe, {}, kernels().pick_near);
   const std::vector<Vector> spread = spread_directions();
   std::vector<char> exposed(specimen.size(), 0);
-  const auto count = static_cast<std::ptrdiff_t>(specimen.size());
-#pragma omp parallel for schedule(dynamic, 256) if (count > 1000)
-  for (std::ptrdiff_t element = 0; element < count; ++element) {
-    const auto i = static_cast<std::size_t>(element);
-    std::vector<Obstacle> around;
-    for (std::size_t k = near.first[i]; k < near.first[i + 1]; ++k) {
-      const auto j = static_cast<std::size_t>(near.neighbour[k]);
-      Vector from = specimen.position[j] - specimen.position[i];
-      if (!near.image.empty()) from += image_shift(specimen.domain, near.image[k]);
-      around.push_back({from, specimen.radius[j] + probe});
+  constexpr std::size_t least = 1000;  // elements: below, a second thread costs more than it saves
+  for_blocks(specimen.size(), least, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      std::vector<Obstacle> around;
+      for (std::size_t k = near.first[i]; k < near.first[i + 1]; ++k) {
+        const auto j = static_cast<std::size_t>(near.neighbour[k]);
+        Vector from = specimen.position[j] - specimen.position[i];
+        if (!near.image.empty()) from += image_shift(specimen.domain, near.image[k]);
+        around.push_back({from, specimen.radius[j] + probe});
+      }
+      exposed[i] = is_exposed(around, specimen.radius[i] + probe, spread) ? 1 : 0;
     }
-    exposed[i] = is_exposed(around, specimen.radius[i] + probe, spread) ? 1 : 0;
-  }
+  });
   std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < exposed.size(); ++i)
     if (exposed[i] != 0) found.push_back(static_cast<std::int32_t>(i));
