@@ -113,8 +113,7 @@ double ElementContacts::stiffness(Pair pair, const Vector& chord) const {
   const std::vector<double>& radius = model_.specimen().radius;
   const double r_i = radius[static_cast<std::size_t>(pair.i)],
                r_j = radius[static_cast<std::size_t>(pair.j)];
-  if (law_.normal_stiffness) return *law_.normal_stiffness;
-  if (law_.young_modulus) return 2 * *law_.young_modulus * r_i * r_j / (r_i + r_j);
+  if (!law_.is_stiff_as_bonds()) return law_.stiffness(r_i, r_j);
   if (const BrokenBond* bond = broken_bond(pair))
     return parameters_.stiffness_ratio * bond->axial_stiffness;
   const BeamSection<double> beam = beams_->properties().section(model_.specimen(), pair, chord);

@@ -130,16 +130,17 @@ void plan_contact(const Setup& setup, Plan& plan) {
       throw InputError(
           "[gauge] the elements are loose, so that there is no body to measure; "
           "expected a section [beams], or no [gauge]");
-    plan.effects.push_back({"free motion", "[contact]", "", Phase::move, [](Assembly& assembly) {
-                              const Specimen& specimen = assembly.specimen();
-                              for (std::size_t i = 0; i < specimen.size(); ++i) {
-                                const std::size_t m =
-                                    assembly.material.empty() ? 0 : assembly.material[i];
-                                assembly.mass[i] =
-                                    assembly.setup.materials[m].density * ball(specimen.radius[i]);
-                              }
-                              return std::make_unique<FreeMotion>(assembly.mass, assembly.model);
-                            }});
+    plan.effects.push_back(
+        {"free motion", "[contact]", "", Phase::move, [law](Assembly& assembly) {
+           const Specimen& specimen = assembly.specimen();
+           for (std::size_t i = 0; i < specimen.size(); ++i) {
+             const std::size_t m = assembly.material.empty() ? 0 : assembly.material[i];
+             assembly.mass[i] = assembly.setup.materials[m].density * ball(specimen.radius[i]);
+           }
+           return std::make_unique<FreeMotion>(
+               assembly.mass, law.stiffness(mean_radius(specimen), mean_radius(specimen)),
+               assembly.model);
+         }});
     plan.ask("free motion", FreeMotion::columns(law.friction > 0));
   }
   plan.effects.push_back(

@@ -21,6 +21,12 @@ struct ContactLaw {
   double restitution = 1;                   ///< e
   InitialOverlap initial_overlap = InitialOverlap::refused;
 
+  /// k_n, N/m, of two elements, where it does not hang on bonds.
+  double stiffness(double radius_i, double radius_j) const {
+    return normal_stiffness ? *normal_stiffness
+                            : 2 * *young_modulus * radius_i * radius_j / (radius_i + radius_j);
+  }
+
   /// Whether contacts are as stiff as the bonds in whose places they are.
   bool is_stiff_as_bonds() const { return !normal_stiffness && !young_modulus; }
 };

@@ -27,7 +27,8 @@ std::vector<const Column*> FreeMotion::columns(bool rotation) {
   return asked;
 }
 
-FreeMotion::FreeMotion(const std::vector<double>& mass, Model& model) {
+FreeMotion::FreeMotion(const std::vector<double>& mass, double stiffness, Model& model)
+    : stiffness_(stiffness) {
   const Specimen& specimen = model.specimen();
   for (double* pose : {model.data(columns::pose), model.next(columns::pose)})
     for (std::size_t i = 0; i < model.slots().padded_elements(); ++i) pose[8 * i + 4] = 1;

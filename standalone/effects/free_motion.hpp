@@ -19,8 +19,9 @@ class FreeMotion : public Mechanics {
   /// Columns that the effect needs; `rotation`: elements turn.
   static std::vector<const Column*> columns(bool rotation);
 
-  /// Elements are at rest at the specimen's positions. `mass` per element, kg.
-  FreeMotion(const std::vector<double>& mass, Model& model);
+  /// Elements are at rest at the specimen's positions. `mass` per element, kg. `stiffness`: of a
+  /// contact of two elements of the mean radius, N/m.
+  FreeMotion(const std::vector<double>& mass, double stiffness, Model& model);
 
   void advance(Model& model, const Step& step) override;
   void observe(const Model& model, Observation& observation) const override;
@@ -28,9 +29,13 @@ class FreeMotion : public Mechanics {
   std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override;
   double longest_time_step(double squared_frequency) const override;
   void accelerate(Model& /*model*/) const override {}
+  double mean_stiffness(const Model& /*model*/) const override { return stiffness_; }
   double typical_energy(const Model& /*model*/) const override { return 0; }
   void for_each_pair(const Model& /*model*/, const PairVisit& /*visit*/) const override {}
   void finish_move(Model& model) const override;
+
+ private:
+  double stiffness_;
 };
 
 }  // namespace solidem

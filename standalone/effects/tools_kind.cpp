@@ -8,6 +8,7 @@
 
 #include "effects/assembly.hpp"
 #include "effects/effect_kind.hpp"
+#include "effects/free_motion.hpp"
 #include "effects/grips.hpp"
 #include "effects/mechanics.hpp"
 #include "effects/tools.hpp"
@@ -142,7 +143,9 @@ std::vector<Key> tool_keys(ToolParameters& p, Reading& reading) {
           .means("k_n of a contact")
           .without("by stiffness_ratio"),
       may_have("stiffness_ratio", number(p.contact.stiffness_ratio, positive))
-          .means("k_n over the mean stiffness of the bonds, E S / l, or of the central law"),
+          .means("k_n over the mean stiffness of the bonds, E S / l, of the central law, or of "
+                 "contacts of "
+                 "loose elements"),
       may_have("tangential_ratio", number(p.contact.tangential_ratio, positive))
           .means("k_t / k_n, where there is friction"),
       may_have("friction", number(p.contact.friction, not_negative)).means("Coulomb's coefficient"),
@@ -256,7 +259,7 @@ double stiffness_of(const ToolParameters& p, const Assembly& assembly) {
   const double of_bonds = assembly.need<Mechanics>().mean_stiffness(assembly.model);
   if (!(of_bonds > 0))
     throw InputError("[[tools]] \"" + p.name +
-                     "\": the body has no bonds whose stiffness a contact could have a ratio of; "
+                     "\": the body has nothing whose stiffness a contact could have a ratio of; "
                      "expected stiffness, such as \"1500 kN/m\"");
   return p.contact.stiffness_ratio * of_bonds;
 }
@@ -278,6 +281,10 @@ void plan_tools(const Setup& setup, Plan& plan) {
     plan.effects.push_back({"tool " + tool.name, "[[tools]]", "", Phase::push,
                             [tool](Assembly& assembly) { return make_tool(tool, assembly); }});
   if (tools.empty()) return;
+  if (elements_are_loose(setup) && std::any_of(tools.begin(), tools.end(), [](const auto& tool) {
+        return tool.contact.friction > 0;
+      }))
+    plan.ask("contacts of tools", {&columns::angular_velocity, &columns::inverse_inertia});
   plan.effects.push_back(
       {"contacts of tools", "[[tools]]", "", Phase::after_move, [](Assembly& assembly) {
          return std::make_unique<ToolContacts>(assembly.all<Tool>(), assembly.all<Grip>(),

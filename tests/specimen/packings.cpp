@@ -277,8 +277,8 @@ TEST(Packing, RefusesIncompleteAndImpossibleRecipes) {
   recipe = cube(-5);
   expect_refusal(recipe, "specimen.elements = -5");
   recipe = cube(100);
-  recipe.shape = "sphere";
-  expect_refusal(recipe, "\"sphere\"");
+  recipe.shape = "pyramid";
+  expect_refusal(recipe, "\"pyramid\"");
   recipe = cube(100);
   recipe.size.y = -1;
   expect_refusal(recipe, "size (along y)");
