@@ -378,6 +378,8 @@ def _conduction(law: dict[str, Any], unsupported: list[str]) -> Conduction:
 
     if law.get("integrator", "explicit") != "explicit":
         unsupported.append(f"integrator {law['integrator']!r}; only 'explicit' is understood")
+    if law.get("every", 1) != 1 or law.get("largest_change") is not None:
+        unsupported.append("heat that waits for several steps of the motion is not understood")
     return Conduction(
         number("conductivity"), number("initial_temperature"),
         number("specific_heat_capacity") if "specific_heat_capacity" in law else float("nan"),

@@ -71,7 +71,9 @@ std::vector<std::string> sections_left_out(const Scene& scene) {
       continue;
     const std::string name = kind.is_list ? "[[" + kind.section + "]]" : "[" + kind.section + "]";
     const bool is_thermal = kind.provides == Provides::heat || kind.needs == Provides::heat;
-    if (!is_thermal && !is_one_of(kind.section, {"contact", "damping", "initial_velocities"}))
+    const bool changes_bonds = is_one_of(kind.section, {"expansion", "softening"});
+    if (changes_bonds ||
+        (!is_thermal && !is_one_of(kind.section, {"contact", "damping", "initial_velocities"})))
       throw InputError(scene.path + ": " + name +
                        " acts in a run, and `solidem solve` does not know it; expected a scene "
                        "without it");

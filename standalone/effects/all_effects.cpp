@@ -23,7 +23,10 @@
   kind(heat_fluxes) \
   kind(convections) \
   kind(temperatures) \
-  kind(mass_scaling)
+  kind(mass_scaling) \
+  kind(plastic_heat) \
+  kind(expansion) \
+  kind(softening)
 // clang-format on
 
 namespace solidem {

@@ -5,20 +5,14 @@
 #include <cmath>
 #include <variant>
 
-#include "effects/bond_state.hpp"
+#include "effects/bond_slot.hpp"
+#include "effects/bond_temperature.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/lane_vectors.hpp"
 
 namespace solidem {
 
 namespace {
-
-Vector pose_centre(const double* row) {
-  return {row[0], row[1], row[2]};
-}
-Quaternion<double> pose_orientation(const double* row) {
-  return {row[4], {row[5], row[6], row[7]}};
-}
 
 /// Writes the components of a column in a slot.
 void set_slot(Model& model, const Column& column, std::size_t row, int lane,
@@ -27,38 +21,16 @@ void set_slot(Model& model, const Column& column, std::size_t row, int lane,
     model.data(column)[Model::at_slot(column, row, lane, k)] = components[k];
 }
 
-/// A slot of a bond, as load_bond() reads it: 0 of a column that nobody asked for.
-struct SlotReader {
-  std::size_t row;
-  int lane;
-  double number(const double* column, int components = 1, int component = 0) const {
-    if (column == nullptr) return 0;
-    return column[(static_cast<std::size_t>(components) * row +
-                   static_cast<std::size_t>(component)) *
-                      lanes +
-                  static_cast<std::size_t>(lane)];
-  }
-  Vector vector(const double* column) const {
-    return {number(column, 3, 0), number(column, 3, 1), number(column, 3, 2)};
-  }
-};
-
-/// Where the ends of a bond stand in a buffer of poses.
-BeamEnds<double> ends_in(const double* poses, const BeamMotion& m, const SlotReader& slot,
-                         std::int32_t i, std::int32_t j) {
-  const double* row_i = poses + std::ptrdiff_t{8} * i;
-  const double* row_j = poses + std::ptrdiff_t{8} * j;
-  Vector chord = pose_centre(row_j) - pose_centre(row_i);
-  if (m.image_shift != nullptr) chord += slot.vector(m.image_shift);
-  return {chord, pose_orientation(row_i), pose_orientation(row_j)};
-}
-
 }  // namespace
 
 BeamDemands demands_of(const Setup& setup) {
   const auto& contact = setup.get<ContactParameters>();
-  return {setup.get<BeamParameters>().value(), setup.get<PlasticityParameters>(),
-          setup.get<RuptureParameters>(), contact && contact->rebonding_pressure};
+  return {setup.get<BeamParameters>().value(),
+          setup.get<PlasticityParameters>(),
+          setup.get<RuptureParameters>(),
+          contact && contact->rebonding_pressure,
+          setup.get<ExpansionParameters>().has_value(),
+          setup.get<SofteningParameters>().has_value()};
 }
 
 Watch BeamDemands::watch() const {
@@ -77,9 +49,11 @@ BondNeeds BeamDemands::needs(bool periodic) const {
   return {has_rotation(),
           watch() == Watch::remembering,
           since_made,
-          !beams_are_alike(elasticity),
+          !beams_are_alike(elasticity) || softens,
           watch() != Watch::elastic,
-          periodic};
+          periodic,
+          expands,
+          softens};
 }
 
 std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool periodic) {
@@ -213,7 +187,7 @@ Beams::Bond Beams::bond(const Model& model, std::int32_t i, std::int32_t j, std:
 Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std::size_t row,
                         int lane) const {
   const SlotReader slot{row, lane};
-  const BondKind kind{m.has_rotation, m.bond_rigidity != nullptr, m.watch == Watch::remembering};
+  const BondKind kind = bond_kind(m);
   const auto [chord, q_i, q_j] = ends_in(m.pose, m, slot, i, j);
   BondNow<double> now = load_bond(kind, m, slot, true, chord, q_i, conjugate(q_i), q_j);
   if (kind.remembers) now.history.strain = slot.number(m.plastic_strain);

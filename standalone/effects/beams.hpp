@@ -19,6 +19,7 @@ struct BeamDemands {
   std::optional<PlasticityParameters> plasticity;
   std::optional<RuptureParameters> rupture;
   bool rebonding = false;  ///< bonds may be made anew, between elements that have turned
+  bool expands = false, softens = false;  ///< with temperature
 
   /// What the hot loop must look out for.
   Watch watch() const;
@@ -91,6 +92,9 @@ class Beams : public Mechanics {
 
   /// The bond in a slot.
   Bond bond(const Model& model, std::int32_t i, std::int32_t j, std::size_t row, int lane) const;
+  /// The same for who looks at many: of motion().
+  Bond bond(const BeamMotion& motion, std::int32_t i, std::int32_t j, std::size_t row,
+            int lane) const;
 
   /// Fills a slot of element i, and no other, with a bond to j free of load; `chord` from i to j.
   /// Elements may have turned only where bonds remember their normals.
@@ -107,8 +111,6 @@ class Beams : public Mechanics {
 
  private:
   BeamMotion columns_of(const Model& model) const;  ///< to be read alone
-  Bond bond(const BeamMotion& motion, std::int32_t i, std::int32_t j, std::size_t row,
-            int lane) const;
   double limit_of_new_bonds() const;
   NewBond new_bond(const Model& model, std::int32_t i, std::int32_t j, const Vector& chord) const;
   const YieldLaw* yield() const {

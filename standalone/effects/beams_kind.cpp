@@ -172,7 +172,7 @@ std::string beam_kernel(const BeamDemands& demands, bool periodic) {
   std::string kernel = demands.has_rotation() ? "move_beams" : "move_beams, springs";
   if (demands.watch() == Watch::remembering) kernel += flow_in_words(demands);
   if (demands.watch() == Watch::watched) kernel += ", brittle";
-  if (!beams_are_alike(demands.elasticity)) kernel += ", a rigidity for each bond";
+  if (demands.needs(periodic).differ) kernel += ", a rigidity for each bond";
   if (periodic) kernel += ", periodic";
   if (demands.elasticity.precision == Precision::mixed) kernel += ", law in single precision";
   return kernel;

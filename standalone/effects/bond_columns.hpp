@@ -5,6 +5,8 @@
 #ifndef SOLIDEM_EFFECTS_BOND_COLUMNS_HPP
 #define SOLIDEM_EFFECTS_BOND_COLUMNS_HPP
 
+#include <algorithm>
+
 #include "laws/beam.hpp"
 #include "laws/rupture_law.hpp"
 #include "model/columns.hpp"
@@ -20,6 +22,7 @@ struct BondNeeds {
   bool differ;               ///< in section or stiffness
   bool may_flow_or_break;
   bool is_periodic;
+  bool expands, softens;  ///< with temperature
 };
 
 /// A bond when it is made, free of load.
@@ -87,6 +90,10 @@ inline const BondColumn bond_columns[] = {
        to[2] = bond.rigidity.shear;
        to[3] = bond.rigidity.torsion;
      }},
+    {&columns::reference_length, [](const BondNeeds& needs) { return needs.expands; }, 1,
+     [](const NewBond&, double* to) { *to = 0; }},
+    {&columns::reference_rigidity, [](const BondNeeds& needs) { return needs.softens; }, 1,
+     [](const NewBond&, double* to) { std::fill_n(to, 4, 0.0); }},
     {&columns::bond_radius,
      [](const BondNeeds& needs) { return needs.differ && needs.may_flow_or_break; }, 1,
      [](const NewBond& bond, double* to) { *to = bond.radius; }},

@@ -197,6 +197,12 @@ double Conduction::capacity(const Model& model, std::size_t i, double temperatur
   return c(temperature) / (c(initial_temperature_) * model.data(columns::inverse_heat_capacity)[i]);
 }
 
+double Conduction::heated(const Model& model, std::size_t i, double temperature,
+                          double heat) const {
+  if (!capacity_varies_) return temperature + heat * model.data(columns::inverse_heat_capacity)[i];
+  return this->temperature(model, i, enthalpy(model, i, temperature) + heat);
+}
+
 double Conduction::heat(const Model& model, std::size_t i, double from, double to) const {
   // The difference of temperatures first: two enthalpies would cancel.
   if (!capacity_varies_) return (to - from) / model.data(columns::inverse_heat_capacity)[i];

@@ -86,6 +86,9 @@ class Conduction : public Effect {
   double temperature(const Model& model, std::size_t i, double enthalpy) const;
   double capacity(const Model& model, std::size_t i, double temperature) const;
 
+  /// The temperature of an element after it has taken up heat, J.
+  double heated(const Model& model, std::size_t i, double temperature, double heat) const;
+
   /// Heat that takes an element from one temperature to another, J.
   double heat(const Model& model, std::size_t i, double from, double to) const;
 

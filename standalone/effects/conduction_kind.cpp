@@ -4,8 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
+#include "effects/bond_temperature.hpp"
 #include "effects/conduction.hpp"
 #include "effects/effect_kind.hpp"
+#include "effects/heat_clock.hpp"
+#include "effects/plastic_heat.hpp"
 #include "keys/rules.hpp"
 
 namespace solidem {
@@ -39,7 +42,15 @@ std::vector<Key> conduction_keys(ConductionParameters& p, Reading& /*reading*/) 
                                                     {"conduct", BrokenBonds::conduct}}))
           .means("a pair whose bond broke conducts no heat any more, or goes on as before; with "
                  "`[rupture]`")
-          .without("`\"insulate\"`")};
+          .without("`\"insulate\"`"),
+      may_have("every", integer(p.every, 1))
+          .means("steps of the motion from one step of heat to the next, which is as long as all "
+                 "of them"),
+      may_have("largest_change",
+               quantity(p.largest_change, dimension::temperature_difference, positive))
+          .means("in place of `every`: heat waits as long as is stable and no temperature changes "
+                 "by more from one of its steps to the next")
+          .without("as `every` says")};
 }
 
 void finish_conduction(const Section& section, ConductionParameters& p, Reading& reading) {
@@ -55,6 +66,11 @@ void finish_conduction(const Section& section, ConductionParameters& p, Reading&
   if (p.broken_bonds && !reading.setup.get<RuptureParameters>())
     section.refuse("broken_bonds", "no bond ever breaks",
                    "a section [rupture] beside it, or no broken_bonds");
+  section.at_most_one_of({"every", "largest_change"});
+  for (const char* key : {"every", "largest_change"})
+    if (section.has(key) && !provides(reading.setup, Provides::motion))
+      section.refuse(key, "nothing moves, so heat has the steps of [run] for itself",
+                     sections_that_provide({Provides::motion}));
 }
 
 /// The hot loop of conduction: a whole explicit step where it can be, else the power alone.
@@ -79,6 +95,17 @@ std::unique_ptr<Effect> make_conduction(const ConductionParameters& parameters,
   return conduction;
 }
 
+/// What a user might expect of heat and motion together, and would not get.
+void note_what_stays_apart(const Setup& setup, Plan& plan) {
+  std::vector<std::string> apart;
+  if (!setup.get<PlasticHeatParameters>()) apart.emplace_back("no work warms elements");
+  if (!setup.get<ExpansionParameters>())
+    apart.emplace_back("temperature does not change their size (no thermal expansion)");
+  if (!setup.get<SofteningParameters>())
+    apart.emplace_back("temperature does not change how stiff the forces between them are");
+  if (!apart.empty()) plan.notes.push_back(join(apart));
+}
+
 void plan_conduction(const Setup& setup, Plan& plan) {
   const auto& conduction = setup.get<ConductionParameters>();
   if (!conduction) return;
@@ -87,10 +114,12 @@ void plan_conduction(const Setup& setup, Plan& plan) {
                             return make_conduction(conduction, assembly);
                           }});
   plan.ask("conduction", Conduction::columns(*conduction, setup.materials));
-  if (provides(setup, Provides::motion))
-    plan.notes.emplace_back(
-        "temperature changes neither the size of elements (no thermal expansion) nor the forces "
-        "between them, and no work warms them: heat and motion go on side by side");
+  if (conduction->every > 1 || conduction->largest_change)
+    plan.effects.push_back(
+        {"heat clock", "[conduction]", "", Phase::heat, [conduction = *conduction](Assembly&) {
+           return std::make_unique<HeatClock>(conduction);
+         }});
+  if (provides(setup, Provides::motion)) note_what_stays_apart(setup, plan);
 }
 
 /// A constant as a number, a table as {temperature, value}.

@@ -26,6 +26,10 @@ class ImposedTemperature : public Effect {
   void count(double heat) { heat_ += heat; }
 
   void advance(Model& model, const Step& step) override;
+  /// Takes what other heat than that of neighbours and loads did to the elements since a time, s.
+  void hold(Model& model, double time) {
+    impose(model, model.data(columns::temperature), temperature(time));
+  }
   void observe(const Model& model, Observation& observation) const override;
   void state(Archive& archive) override { archive(heat_); }
 

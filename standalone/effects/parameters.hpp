@@ -147,8 +147,11 @@ struct ConductionParameters {
   std::optional<double> area_factor;  ///< of platonic_calibrated; none: found by a steady bar test
   Integrator integrator = Integrator::explicit_euler;
   std::optional<double> tolerance;  ///< error allowed in time integration, K; none: fixed steps
-  std::vector<Contact> contacts;
+  std::vector<Contact> contacts{};
   std::optional<BrokenBonds> broken_bonds;  ///< with rupture only; none: insulate
+  std::int64_t every = 1;                   ///< steps of the motion from one heat step to the next
+  std::optional<double> largest_change;     ///< of a temperature between two heat steps, K: their
+                                            ///< number is chosen
 };
 
 /// As a scene spells them.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/heat.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "effects/selections.hpp"
 #include "model/error.hpp"
 #include "solve/calibration/relative_conductivity.hpp"
@@ -28,6 +31,10 @@ Heat::Heat(const ConductionParameters& parameters, double area_factor, std::vect
     if (auto* conduction = dynamic_cast<Conduction*>(effect)) conduction_ = conduction;
     if (auto* load = dynamic_cast<HeatLoad*>(effect)) loads_.push_back(load);
     if (auto* imposed = dynamic_cast<ImposedTemperature*>(effect)) imposed_.push_back(imposed);
+    if (auto* heating = dynamic_cast<HeatOfMotion*>(effect)) of_motion_.push_back(heating);
+    if (auto* following = dynamic_cast<FollowsTemperature*>(effect))
+      following_.push_back(following);
+    if (auto* clock = dynamic_cast<HeatClock*>(effect)) clock_ = clock;
   }
   const std::vector<ElementValue> exchange = largest_exchange();
   criterion_ = conduction_->time_step_criterion(model, exchange);
@@ -36,7 +43,11 @@ Heat::Heat(const ConductionParameters& parameters, double area_factor, std::vect
 
 Heat::~Heat() = default;
 
-void Heat::start() {
+void Heat::start(double duration) {
+  // Where stability does not say how often heat must step, as often as a history has rows.
+  constexpr double least_steps = 200;
+  if (clock_ != nullptr)
+    clock_->bound(takes_explicit_steps() ? criterion_.value : duration / least_steps);
   // Where no property depends on temperature, conduction takes explicit steps in one pass by
   // itself.
   if (takes_explicit_steps() && conduction_->is_linear()) return;
@@ -56,22 +67,47 @@ std::vector<ElementValue> Heat::largest_exchange() const {
   return exchange;
 }
 
-void Heat::adopt_conductors(const Step& step) {
+void Heat::adopt_conductors(double time, double time_step) {
   if (integrator_ != nullptr) integrator_->restart();
-  const bool must_look = takes_explicit_steps() && step.time_step <= limit_ &&
-                         step.time_step > conduction_->surely_stable_step(limit_);
+  const bool must_look = takes_explicit_steps() && time_step <= limit_ &&
+                         time_step > conduction_->surely_stable_step(limit_);
   if (!must_look) return;
   const double limit = conduction_->stable_time_step(model_, largest_exchange());
-  if (step.time_step > limit)
+  if (time_step > limit)
     throw RunError("bonds made anew conduct so much heat that the explicit time step, " +
-                   text(step.time_step) + " s, is beyond the stable limit, now " + text(limit) +
-                   " s (" + text(limit_) + " s at the start), at time " + text(step.time) +
+                   text(time_step) + " s, is beyond the stable limit, now " + text(limit) + " s (" +
+                   text(limit_) + " s at the start), at time " + text(time) +
                    " s; take a smaller time_step in [run], or integrator = \"rkl2\" in "
                    "[conduction]");
 }
 
-void Heat::advance(const Step& step) {
-  if (conduction_->follow_bonds(model_)) adopt_conductors(step);
+void Heat::take_heat_of_motion(double time) {
+  for (HeatOfMotion* heating : of_motion_) heating->deliver(model_);
+  if (of_motion_.empty()) return;
+  for (ImposedTemperature* imposed : imposed_) imposed->hold(model_, time);
+}
+
+void Heat::advance(const Step& motion) {
+  if (conduction_->follow_bonds(model_))
+    adopt_conductors(motion.time, clock_ != nullptr ? clock_->length(motion) : motion.time_step);
+  const std::optional<Step> step = clock_ != nullptr ? clock_->pass(motion) : motion;
+  if (!step) return;
+  std::vector<double> before;
+  if (clock_ != nullptr && clock_->is_automatic()) {
+    const double* temperature = model_.data(columns::temperature);
+    before.assign(temperature, temperature + model_.elements());
+  }
+  take_heat_of_motion(step->time);
+  carry(*step);
+  for (FollowsTemperature* following : following_) following->follow(model_, motion.time_step);
+  if (before.empty()) return;
+  double change = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    change = std::max(change, std::fabs(model_.data(columns::temperature)[i] - before[i]));
+  clock_->adapt(change, motion);
+}
+
+void Heat::carry(const Step& step) {
   if (integrator_ == nullptr) {
     for (Effect* effect : effects_) effect->advance(model_, step);
     model_.swap(columns::temperature);

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "effects/conduction.hpp"
+#include "effects/heat_clock.hpp"
 #include "effects/imposed_temperature.hpp"
 #include "effects/setup.hpp"
+#include "effects/temperature_acts.hpp"
 
 namespace solidem {
 
@@ -36,14 +38,18 @@ class Heat {
   bool takes_explicit_steps() const {
     return parameters_.integrator == ConductionParameters::Integrator::explicit_euler;
   }
-  const TimeStepCriterion& criterion() const { return criterion_; }
-  /// The longest stable explicit step, s.
-  double limit() const { return limit_; }
+  /// Bounds on the step of the motion where heat takes explicit steps, s, and the longest stable
+  /// one: heat's own, shared among the steps that it waits for.
+  TimeStepCriterion criterion() const {
+    return {criterion_.name, criterion_.value / static_cast<double>(parameters_.every)};
+  }
+  double limit() const { return limit_ / static_cast<double>(parameters_.every); }
 
-  /// Makes ready to advance.
-  void start();
-  /// Makes a time step; the temperatures after it are those of the model.
-  void advance(const Step& step);
+  /// Makes ready to advance, in a run of so long, s.
+  void start(double duration);
+  /// Takes in a time step of the motion, and steps where it is time to; the temperatures after that
+  /// are those of the model.
+  void advance(const Step& motion);
 
   /// Throws RunError where a temperature is below absolute zero, or no number.
   void check(std::int64_t step, double time) const;
@@ -52,9 +58,13 @@ class Heat {
   HeatIntegrator* integrator() const { return integrator_.get(); }
 
  private:
+  /// Gives elements the heat that motion has made by a time, s.
+  void take_heat_of_motion(double time);
+  /// Conducts and heats over a step.
+  void carry(const Step& step);
   /// Makes known that bonds changed what conducts. Throws RunError where that makes the explicit
   /// time step too long, unless it was so from the start.
-  void adopt_conductors(const Step& step);
+  void adopt_conductors(double time, double time_step);
   /// Largest conductances to the outside, of elements.
   std::vector<ElementValue> largest_exchange() const;
 
@@ -65,6 +75,9 @@ class Heat {
   Conduction* conduction_ = nullptr;
   std::vector<HeatLoad*> loads_;
   std::vector<ImposedTemperature*> imposed_;
+  std::vector<HeatOfMotion*> of_motion_;
+  std::vector<FollowsTemperature*> following_;
+  HeatClock* clock_ = nullptr;  ///< none: heat steps with the motion
   TimeStepCriterion criterion_;
   double limit_ = 0;
   std::unique_ptr<HeatedModel> heated_;

@@ -93,7 +93,7 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   const double duration =
       setup_.run.duration.value_or(static_cast<double>(steps_to_run()) * time_step_.value);
   for (const auto& effect : effects_) effect->start(model_, duration);
-  if (heat_ != nullptr) heat_->start();
+  if (heat_ != nullptr) heat_->start(duration);
   record_initial_energy();
   specimen_marks_ = marks_of(model_);
   // Of bonds that are strained by round-off, with a wide margin.

@@ -40,6 +40,8 @@ std::string describe(const Dimension& dimension, const Range& range) {
 double read_quantity(const Value& value, const Dimension& dimension, const Range& range) {
   const std::string expected = describe(dimension, range);
   const toml::node& node = value.node();
+  const bool is_pure = std::string(dimension.unit) == dimension::number.unit;
+  if (is_pure && node.is_number()) return read_number(value, range);
   if (node.is_number()) value.refuse("has no unit", expected);
   if (!node.is_string()) value.refuse("not a quantity", expected);
   double si = 0;

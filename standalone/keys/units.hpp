@@ -36,6 +36,7 @@ inline constexpr Dimension specific_heat_capacity{"a specific heat capacity", "J
                                                   "880 J/(kg K)"};
 inline constexpr Dimension temperature{"a temperature", "K", "298 K", true};
 inline constexpr Dimension temperature_difference{"a temperature difference", "K", "10 K"};
+inline constexpr Dimension expansion{"an expansion coefficient", "1/K", "23e-6 1/K"};
 inline constexpr Dimension frequency{"a frequency", "Hz", "50 Hz"};
 inline constexpr Dimension angle{"an angle", "rad", "90 degree"};
 inline constexpr Dimension angular_velocity{"an angular velocity", "rad/s", "1000 rpm"};

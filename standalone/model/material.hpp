@@ -12,10 +12,11 @@ namespace solidem {
 /// What the elements of a region consist of. Properties that no effect needs stay zero.
 struct Material {
   Region region;
-  double density = 0;                 ///< ρ_0, kg/m³
-  TemperatureFunction specific_heat;  ///< c_p, J/(kg K)
-  TemperatureFunction conductivity;   ///< λ, W/(m K)
-  std::string name{};                 ///< by which contacts know it; may be empty
+  double density = 0;                           ///< ρ_0, kg/m³
+  TemperatureFunction specific_heat;            ///< c_p, J/(kg K)
+  TemperatureFunction conductivity;             ///< λ, W/(m K)
+  std::string name{};                           ///< by which contacts know it; may be empty
+  TemperatureFunction expansion_coefficient{};  ///< α, 1/K
 };
 
 }  // namespace solidem

@@ -11,9 +11,10 @@ namespace {
 Material read_material(const Section& section, const NamedRegions& named, NamedEffects effects,
                        std::set<std::string>& taken, bool is_one_of_several) {
   Material material;
-  TemperatureFunction specific_heat, conductivity;
+  TemperatureFunction specific_heat, conductivity, expansion;
   const Rule heat = property(specific_heat, dimension::specific_heat_capacity, positive);
   const Rule conduct = property(conductivity, dimension::conductivity, positive);
+  const Rule expand = property(expansion, dimension::expansion);
   const auto thermal = [&effects](const std::string& key, const Rule& rule) {
     return effects.heat ? must_have(key, rule, "needed by [conduction]") : may_have(key, rule);
   };
@@ -21,12 +22,16 @@ Material read_material(const Section& section, const NamedRegions& named, NamedE
   section.read({may_have("name", name(material.name, taken)),
                 must_have("density", quantity(material.density, dimension::density, positive)),
                 thermal("specific_heat_capacity", heat), thermal("conductivity", conduct),
+                effects.expansion
+                    ? must_have("expansion_coefficient", expand, "needed by [expansion]")
+                    : may_have("expansion_coefficient", expand),
                 is_one_of_several ? must_have("region", where, "there are several materials")
                                   : may_have("region", where)});
   if (effects.heat) {  // properties that nothing asks for stay zero
     material.specific_heat = specific_heat;
     material.conductivity = conductivity;
   }
+  if (effects.expansion) material.expansion_coefficient = expansion;
   return material;
 }
 

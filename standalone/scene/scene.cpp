@@ -114,7 +114,7 @@ Scene read_scene(const std::string& path) {
   scene.title = std::filesystem::path(path).stem().string();
   Setup& setup = scene.setup;
   const NamedEffects effects{names_what_provides(root, Provides::motion),
-                             names_what_provides(root, Provides::heat)};
+                             names_what_provides(root, Provides::heat), root.has("expansion")};
   NamedRegions named;
   const auto with_effects = [&effects](const std::string& key, const Rule& rule) {
     return effects.motion || effects.heat ? must_have(key, rule) : may_have(key, rule);

@@ -21,6 +21,7 @@ namespace solidem {
 struct NamedEffects {
   bool motion = false;
   bool heat = false;
+  bool expansion = false;
 };
 
 // read_specimen.cpp

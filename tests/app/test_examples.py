@@ -125,3 +125,13 @@ def test_a_heated_bar_that_is_held_is_told_that_it_bears_no_stress(
     for text in (ran.stdout, summary, solidem("explain", scene).stdout,
                  solidem("explain", scene, "--json").stdout):
         assert (said in text) == bonded
+
+
+def test_a_heated_bar_that_expands_is_not_told_so(solidem: Program) -> None:
+    """A note stands only for what is left out."""
+    expands = HEATED_BAR.replace("conductivity =", 'expansion_coefficient = "23e-6 1/K"\nconductivity =')
+    scene = solidem.scene("bar.toml", expands + BEAMS + "[expansion]\n")
+    said = solidem("explain", scene).stdout
+    assert "thermal expansion" not in said
+    assert "no work warms elements" in said
+    assert "temperature of bonds" in said

@@ -120,6 +120,23 @@ velocity = ["1 m/s", "0 m/s", "0 m/s"]
     assert "left out" in text
 
 
+def test_what_temperature_does_to_bonds_is_refused(solidem):
+    """The temperatures of a run are not known to a body at rest."""
+    for section in ("[expansion]", "[softening]\nmodulus_ratio = 0.5"):
+        warm = CANTILEVER.replace('density = "2790 kg/m^3"\n', f"""\
+density = "2790 kg/m^3"
+specific_heat_capacity = "880 J/(kg K)"
+conductivity = "134 W/(m K)"
+expansion_coefficient = "23e-6 1/K"
+[conduction]
+initial_temperature = "298 K"
+{section}
+""")
+        done = solidem("solve", solidem.scene("warm.toml", warm))
+        assert done.returncode == 2
+        assert f"{section.split()[0]} acts in a run" in done.stderr
+
+
 PIECES = ('[specimen]\nfile = "pieces.csv"\n[material]\ndensity = "2700 kg/m^3"\n' + THICK_BEAMS
           + grip("low", 'upper = ["1 mm", "any", "any"]', HELD)
           + grip("high", 'lower = ["19 mm", "any", "any"]',

@@ -22,6 +22,10 @@ std::string with(const std::string& section) {
 
 const std::string disc = "shape = { kind = \"cylinder\", radius = \"4 mm\" }\n";
 
+const std::string mixed_beams =
+    "[beams]\nyoung_modulus = \"70 GPa\"\npoisson_ratio = 0.3\nradius_ratio = 0.3\n"
+    "precision = \"mixed\"\n";
+
 // name, scene, from, to, on the line of, fragments
 const BadScene bad[] = {
     {"negative_conductivity",
@@ -136,6 +140,48 @@ const BadScene bad[] = {
      with("[[heat_fluxes]]\nname = \"in\"\nwall = \"x_low\"\nflux = \"1 W/m^2\""),
      "[[heat_fluxes]]",
      {"nothing conducts heat", "[conduction]"}},
+    {"heat_that_waits_for_nothing",
+     heat,
+     law,
+     law + "\nevery = 2",
+     "every",
+     {"every = 2", "nothing moves", "[beams]"}},
+    {"two_ways_to_wait",
+     heat,
+     law,
+     law + "\nevery = 2\nlargest_change = \"1 K\"",
+     "[conduction]",
+     {"every", "largest_change"}},
+    {"plastic_heat_of_nothing",
+     heat,
+     "[run]",
+     with("[plastic_heat]\nfraction = 0.9"),
+     "[plastic_heat]",
+     {"no bond flows", "[plasticity]"}},
+    {"more_heat_than_work",
+     heat,
+     "[run]",
+     with("[plastic_heat]\nfraction = 1.1"),
+     "fraction",
+     {"fraction = 1.1", "from 0 to 1"}},
+    {"expansion_without_bonds",
+     heat,
+     "[run]",
+     with("[expansion]"),
+     "[material]",
+     {"expansion_coefficient", "needed by [expansion]"}},
+    {"beams_without_stiffness",
+     heat,
+     "[run]",
+     with("[softening]\nmodulus_ratio = { temperature = [\"300 K\", \"800 K\"], value = [1, 0] }"),
+     "modulus_ratio",
+     {"modulus_ratio.value[1] = 0", "above 0"}},
+    {"softening_of_beams_in_single_precision",
+     heat,
+     "[run]",
+     with(mixed_beams + "[softening]\nmodulus_ratio = 0.5"),
+     "[softening]",
+     {"mixed precision", "precision = \"double\""}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Value, BadHeat, testing::ValuesIn(bad), row_name);

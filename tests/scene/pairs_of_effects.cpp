@@ -29,12 +29,14 @@ name = "left"
 density = "2790 kg/m^3"
 specific_heat_capacity = "880 J/(kg K)"
 conductivity = "134 W/(m K)"
+expansion_coefficient = "23e-6 1/K"
 region = { upper = ["2.5 mm", "any", "any"] }
 [[material]]
 name = "right"
 density = "5000 kg/m^3"
 specific_heat_capacity = "500 J/(kg K)"
 conductivity = "50 W/(m K)"
+expansion_coefficient = "12e-6 1/K"
 region = { lower = ["2.5 mm", "any", "any"] }
 [run]
 steps = 600

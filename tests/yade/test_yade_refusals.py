@@ -79,6 +79,9 @@ def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str)
 
 @pytest.mark.parametrize("section, laws, words", [
     ("centrifugal_load", {}, r"\[centrifugal_load\] is not understood"),
+    ("plastic_heat", {}, r"\[plastic_heat\] is not understood"),
+    ("expansion", {}, r"\[expansion\] is not understood"),
+    ("conduction", {"conduction": {"every": 5}}, "waits for several steps of the motion"),
     ("damping", {"damping": {"viscous": 100.0}}, "viscous damping is not understood"),
 ])
 def test_effects_of_which_no_other_code_is_told(bar: Bar, section: str, laws: dict[str, Any],
