@@ -23,10 +23,10 @@
   kind(heat_fluxes) \
   kind(convections) \
   kind(temperatures) \
-  kind(mass_scaling) \
   kind(plastic_heat) \
   kind(expansion) \
-  kind(softening)
+  kind(softening) \
+  kind(mass_scaling)
 // clang-format on
 
 namespace solidem {
