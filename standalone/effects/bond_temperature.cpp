@@ -134,7 +134,9 @@ bool BondTemperature::adopt(std::size_t i, std::size_t j, std::size_t row, int l
   const std::size_t first = Model::at_slot(columns::bond_rigidity, row, lane);
   double* length = demands_.expansion ? model_.data(columns::reference_length) : nullptr;
   double* made_with = demands_.softening ? model_.data(columns::reference_rigidity) : nullptr;
-  if (length != nullptr ? length[at] != 0 : made_with[first] != 0) return true;
+  const bool is_adopted =
+      length != nullptr ? length[at] != 0 : made_with != nullptr && made_with[first] != 0;
+  if (is_adopted) return true;
   if (!adopts_new_bonds) return false;
   if (length != nullptr)
     length[at] = model_.data(columns::rest_length)[at] / stretch(effects_.strain, i, j);

@@ -142,7 +142,10 @@ TEST(LinearContact, never_pulls_and_never_exceeds_coulombs_limit) {
     const double tangential = norm(now.force + push * s.motion.normal);
     EXPECT_GE(push, -1e-12);
     EXPECT_LE(tangential, s.contact.friction * push * (1 + 1e-12) + 1e-12);
-    EXPECT_NEAR(dot(now.history.spring, s.motion.normal), 0, 1e-19);
+    // Turning onto the plane of an almost opposite normal is ill-conditioned.
+    const double way = norm(s.history.spring) + s.motion.time_step * norm(s.motion.velocity);
+    EXPECT_NEAR(dot(now.history.spring, s.motion.normal), 0,
+                1e-15 * way / (1 + dot(s.history.normal, s.motion.normal)));
     if (now.friction_work != 0) ++sliding;
   }
   EXPECT_GT(sliding, 500);
