@@ -149,7 +149,7 @@ std::string fault_of(const TriangleMesh& mesh) {
   if (mesh.facets.empty()) return "has no facets";
   std::map<Facet, std::size_t> seen;
   for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-    const std::string fault = fault_of_facet(mesh, mesh.facets[f]);
+    std::string fault = fault_of_facet(mesh, mesh.facets[f]);
     if (!fault.empty()) return fmt::format("facet {} {}", f + 1, fault);
     Facet corners = mesh.facets[f];
     std::sort(corners.begin(), corners.end());
@@ -159,7 +159,7 @@ std::string fault_of(const TriangleMesh& mesh) {
                          first->second + 1);
   }
   for (const auto& [side, uses] : uses_of_sides(mesh)) {
-    const std::string fault = fault_of_side(mesh, side, uses);
+    std::string fault = fault_of_side(mesh, side, uses);
     if (!fault.empty()) return fault;
   }
   if (is_closed(mesh) && volume(mesh) < 0)
