@@ -272,6 +272,7 @@ CentralMotion CentralForces::motion(Model& model) const {
     motion.dissipated_energy = model.data(columns::dissipated_energy);
   }
   motion.barycentre = where(columns::barycentre);
+  motion.neighbours_at_start = where(columns::neighbours_at_start);
   motion.listed_position = where(columns::listed_position);
   motion.listed_margin = 0.5 * skin_;
   return motion;
@@ -308,10 +309,9 @@ void CentralForces::accelerate(Model& model) const {
   });
 }
 
-void CentralForces::find_crack_faces(double threshold, const std::vector<double>& at_start) {
+void CentralForces::find_crack_faces(double threshold) {
   CentralMotion common = motion(model_);
   common.crack_threshold = threshold;
-  common.neighbours_at_start = at_start.empty() ? nullptr : at_start.data();
   for_blocks(model_.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
     kernels().find_crack_faces(common, first, last);
   });

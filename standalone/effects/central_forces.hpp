@@ -51,9 +51,9 @@ class CentralForces : public Mechanics {
   /// Finds neighbours anew if elements have moved far enough.
   void keep_neighbours();
 
-  /// Tells for every element whether it stands on a crack face. `threshold`: C. `at_start`: its
-  /// neighbours then, for each lane of the blocks, where free faces are left out; else empty.
-  void find_crack_faces(double threshold, const std::vector<double>& at_start);
+  /// Tells for every element whether it stands on a crack face. `threshold`: C. Free faces
+  /// are left out where columns::neighbours_at_start is there.
+  void find_crack_faces(double threshold);
 
   /// Number of elements within range of each, at the present poses.
   std::vector<int> neighbours_within_range() const;

@@ -15,16 +15,13 @@ Damage::Damage(const DamageParameters& parameters, CentralForces& forces, Model&
     : parameters_(parameters), forces_(forces), model_(model) {
   if (parameters_.minimal_neighbours > 0 || parameters_.leaves_out_free_faces)
     had_ = forces_.neighbours_within_range();
-  if (parameters_.leaves_out_free_faces) {
-    free_faces_.assign(had_.begin(), had_.end());
-    free_faces_.resize(model.slots().padded_elements(), 0);
-  }
+  if (parameters_.leaves_out_free_faces)
+    std::copy(had_.begin(), had_.end(), model.data(columns::neighbours_at_start));
   find_crack_faces();
 }
 
 void Damage::find_crack_faces() {
-  if (parameters_.crack_threshold)
-    forces_.find_crack_faces(*parameters_.crack_threshold, free_faces_);
+  if (parameters_.crack_threshold) forces_.find_crack_faces(*parameters_.crack_threshold);
 }
 
 void Damage::advance(Model& /*model*/, const Step& /*step*/) {
@@ -149,6 +146,7 @@ void plan_damage(const Setup& setup, Plan& plan) {
          [damage = *damage](Assembly& assembly) { return make_cracked_bonds(damage, assembly); }});
     return;
   }
+  if (damage->leaves_out_free_faces) plan.ask("damage", {&columns::neighbours_at_start});
   plan.effects.push_back({"damage", "[damage]", damage->crack_threshold ? "find_crack_faces" : "",
                           Phase::after_move, [damage = *damage](Assembly& assembly) {
                             return std::make_unique<Damage>(damage, assembly.need<CentralForces>(),

@@ -39,7 +39,6 @@ class Damage : public Effect {
   CentralForces& forces_;
   Model& model_;
   std::vector<int> had_;               ///< neighbours of each element at the start
-  std::vector<double> free_faces_;     ///< the same for each lane, where free faces are left out
   std::vector<std::int32_t> removed_;  ///< sorted
   std::int64_t steps_ = 0;
 };

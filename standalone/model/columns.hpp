@@ -202,6 +202,15 @@ inline constexpr Column barycentre{
     true,
     "m, 1",
     "of the neighbours, from the element, where it is a crack's face, else 0; their number"};
+inline constexpr Column neighbours_at_start{
+    "neighbours_at_start",
+    Site::element,
+    Layout::lanes,
+    1,
+    1,
+    false,
+    "1",
+    "number of neighbours in range at the start, where free faces are told from cracks"};
 inline constexpr Column listed_position{"listed_position",
                                         Site::element,
                                         Layout::lanes,

@@ -6,6 +6,7 @@
 #ifndef SOLIDEM_EFFECTS_KERNELS_PACK_HPP
 #define SOLIDEM_EFFECTS_KERNELS_PACK_HPP
 
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -35,6 +36,11 @@ inline constexpr int width = 2;
 
 typedef double Lanes __attribute__((vector_size(width * sizeof(double))));
 
+/// Whether a pack can be read at an address at once, as in every column; processors refuse others.
+inline bool is_aligned(const double* at) {
+  return reinterpret_cast<std::uintptr_t>(at) % sizeof(Lanes) == 0;
+}
+
 /// `width` doubles, one in each lane.
 struct Pack {
   Lanes v;
@@ -43,8 +49,14 @@ struct Pack {
   Pack(double s) : v(s - Lanes{}) {}  // NOLINT: a scalar is a pack of equals; s − 0 costs nothing
   explicit Pack(Lanes lanes) : v(lanes) {}
 
-  static Pack load(const double* from) { return Pack(*reinterpret_cast<const Lanes*>(from)); }
-  void store(double* to) const { *reinterpret_cast<Lanes*>(to) = v; }
+  static Pack load(const double* from) {
+    assert(is_aligned(from));
+    return Pack(*reinterpret_cast<const Lanes*>(from));
+  }
+  void store(double* to) const {
+    assert(is_aligned(to));
+    *reinterpret_cast<Lanes*>(to) = v;
+  }
   /// The same of an address that is no multiple of the width.
   static Pack load_anywhere(const double* from) {
     Pack pack;
