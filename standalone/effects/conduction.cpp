@@ -17,7 +17,7 @@ namespace solidem {
 namespace {
 
 // Threads pay from this many blocks of elements on.
-constexpr std::size_t least_blocks = 640;
+constexpr std::size_t least_blocks_of_conductors = 640;
 
 /// Contact conductance between two materials, W/(m² K); infinite when they touch perfectly.
 double contact_conductance(const std::vector<Contact>& contacts, const Material& a,
@@ -301,7 +301,7 @@ void Conduction::advance(Model& model, const Step& step) {
                       model.data(columns::conductance),
                       step.time_step};
   const auto conduct = kernels().conduct;
-  for_blocks(model.conductors().blocks(), least_blocks,
+  for_blocks(model.conductors().blocks(), least_blocks_of_conductors,
              [&](std::size_t first, std::size_t last) { conduct(flow, first, last); });
 }
 
@@ -327,7 +327,7 @@ void Conduction::conduct(Model& model, const double* temperature, double* power)
                     where_present(columns::conduction_length),
                     where_present(columns::contact_resistance)};
   const auto conducted_power = kernels().conducted_power;
-  for_blocks(model.conductors().blocks(), least_blocks,
+  for_blocks(model.conductors().blocks(), least_blocks_of_conductors,
              [&](std::size_t first, std::size_t last) { conducted_power(h, first, last); });
 }
 

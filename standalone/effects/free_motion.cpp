@@ -12,7 +12,7 @@ namespace solidem {
 
 namespace {
 
-constexpr std::size_t least_blocks = 600;  // below, a second thread costs more than it saves
+constexpr std::size_t least_blocks_moving = 600;  // below, a second thread costs more than it saves
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void FreeMotion::advance(Model& model, const Step& step) {
   const bool has_rotation = model.has(columns::angular_velocity);
   const auto now = model.positions(), next = model.next_positions();
   const double* velocity = model.data(columns::velocity);
-  for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
+  for_blocks(model.slots().blocks(), least_blocks_moving, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first * lanes; i < std::min(last * lanes, model.elements()); ++i) {
       for (int axis = 0; axis < 3; ++axis)
         next[i][axis] =

@@ -6,21 +6,12 @@
 #include "effects/assembly.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/push.hpp"
+#include "effects/removed_elements.hpp"
 #include "effects/turning_grip.hpp"
 #include "keys/rules.hpp"
+#include "model/axis_names.hpp"
 
 namespace solidem {
-
-namespace {
-
-constexpr const char* axis_names[] = {"x", "y", "z"};
-
-/// Elements that were removed stand still, whatever a grip does.
-bool is_present(const Model& model, std::int32_t element) {
-  return model.data(columns::inverse_mass)[element] > 0;
-}
-
-}  // namespace
 
 Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements, Model& model)
     : parameters_(parameters), elements_(std::move(elements)) {

@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "effects/push.hpp"
+#include "effects/removed_elements.hpp"
 #include "effects/selections.hpp"
+#include "model/axis_names.hpp"
 #include "model/error.hpp"
 #include "model/lane_vectors.hpp"
 
@@ -19,16 +21,11 @@ namespace solidem {
 namespace {
 
 constexpr double deepest_start = 0.25;  // of an element's radius: deeper is refused
-constexpr const char* axis_names[] = {"x", "y", "z"};
 constexpr std::size_t least_for_threads = 64;
 
 Vector centre_of(const Model& model, std::size_t element) {
   const double* row = model.positions()[element];
   return {row[0], row[1], row[2]};
-}
-
-bool is_there(const Model& model, std::size_t element) {
-  return model.data(columns::inverse_mass)[element] > 0;
 }
 
 /// Places of the step before, in rows like those of now: where those are kept once others hold.
@@ -164,7 +161,7 @@ void Tool::search(const Model& model) {
   for (std::size_t i = 0; i < elements; ++i) {
     listed_at_[i] = centre_of(model, i);
     const double reach = radius_[i] + skin_;
-    if (!is_there(model, i)) continue;
+    if (!is_present(model, i)) continue;
     const double distance = shape_->distance(now.to_body(listed_at_[i]), reach + watch_);
     if (distance < reach + watch_) gap[i] = distance - radius_[i];
   }

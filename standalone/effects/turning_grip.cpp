@@ -4,20 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "effects/removed_elements.hpp"
 #include "effects/tool_motion.hpp"
+#include "model/axis_names.hpp"
 #include "model/lane_vectors.hpp"
 
 namespace solidem {
-
-namespace {
-
-constexpr const char* axis_names[] = {"x", "y", "z"};
-
-bool is_there(const Model& model, std::size_t element) {
-  return model.data(columns::inverse_mass)[element] > 0;
-}
-
-}  // namespace
 
 TurningGrip::TurningGrip(const TurningGripParameters& parameters,
                          std::vector<std::int32_t> elements, Model& model)
@@ -48,7 +40,7 @@ TurningGrip::Load TurningGrip::take_load(Model& model, double kick) const {
   const bool turns = model.has(columns::angular_velocity);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const auto i = static_cast<std::size_t>(elements_[k]);
-    if (!is_there(model, i)) continue;
+    if (!is_present(model, i)) continue;
     const double* now = model.positions()[i];
     double* velocity = model.data(columns::velocity);
     const std::size_t at = Model::at(columns::velocity, i);
@@ -71,7 +63,7 @@ double TurningGrip::inertia(const Model& model) const {
   double sum = 0;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const auto i = static_cast<std::size_t>(elements_[k]);
-    if (!is_there(model, i)) continue;
+    if (!is_present(model, i)) continue;
     const Vector arm = cross(turn_.axis, rest_[k] - turn_.point);
     sum += dot(arm, arm) / model.data(columns::inverse_mass)[i];
     if (model.has(columns::inverse_inertia)) sum += 1 / model.data(columns::inverse_inertia)[i];
@@ -107,7 +99,7 @@ void TurningGrip::advance(Model& model, const Step& step) {
   const bool has_orientation = model.has(columns::angular_velocity);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const auto i = static_cast<std::size_t>(elements_[k]);
-    if (!is_there(model, i)) continue;
+    if (!is_present(model, i)) continue;
     const Vector target = place(k, displacement_, angle_);
     const double* now = model.positions()[i];
     double* next = model.next_positions()[i];
@@ -126,7 +118,7 @@ void TurningGrip::observe(const Model& model, Observation& observation) const {
   Load load;
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
-    if (!is_there(model, i)) continue;
+    if (!is_present(model, i)) continue;
     const double* now = model.positions()[i];
     const bool turns = !observation.motion.moment.empty();
     add(load, {now[0], now[1], now[2]}, observation.motion.force[i],
@@ -163,7 +155,7 @@ void TurningGrip::correct_motion(const Model& model, const Vector& velocity, dou
   ObservedMotion& motion = observation.motion;
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
-    if (!is_there(model, i)) continue;
+    if (!is_present(model, i)) continue;
     const double* now = model.positions()[i];
     const double inverse_mass = model.data(columns::inverse_mass)[i];
     Vector& v = motion.velocity[i];

@@ -33,12 +33,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Adds the time of a scope to one of the phases of a run.
-class Phase {
+class Stopwatch {
  public:
-  explicit Phase(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
-  ~Phase() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Phase(const Phase&) = delete;
-  Phase& operator=(const Phase&) = delete;
+  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
 
  private:
   double& seconds_;
@@ -182,7 +182,7 @@ class Recorder {
     if (seconds_per_step_ > is_long)
       kept_ = Kept{simulation_.step(), simulation_.time(), simulation_.save(),
                    summary_of(false, "interrupted")};
-    const Phase phase(seconds_["steps"]);
+    const Stopwatch stopwatch(seconds_["steps"]);
     const auto start = Clock::now();
     watch_.while_busy([&] { simulation_.advance(steps); });
     seconds_per_step_ =
@@ -208,7 +208,7 @@ class Recorder {
   std::string path(const char* file) const { return options_.directory + "/" + file; }
 
   void open() {
-    const Phase phase(seconds_["output"]);
+    const Stopwatch stopwatch(seconds_["output"]);
     last_row_ = simulation_.observe();
     const std::vector<std::string> columns = names_of(last_row_);
     const Model& model = simulation_.model();
@@ -267,13 +267,13 @@ class Recorder {
   }
 
   void write_row() {
-    const Phase phase(seconds_["observation"]);
+    const Stopwatch stopwatch(seconds_["observation"]);
     last_row_ = simulation_.observe();
     history_->write_row(last_row_.step, last_row_.time, values_of(last_row_));
   }
 
   void write_frame() {
-    const Phase phase(seconds_["output"]);
+    const Stopwatch stopwatch(seconds_["output"]);
     const Model& model = simulation_.model();
     Observation observation;
     simulation_.observe(observation);
@@ -299,7 +299,7 @@ class Recorder {
   }
 
   void write_checkpoint() {
-    const Phase phase(seconds_["output"]);
+    const Stopwatch stopwatch(seconds_["output"]);
     simulation_.check();  // what has diverged must not take the place of what has not
     write_checkpoint(simulation_.step(), simulation_.time(), simulation_.save());
   }

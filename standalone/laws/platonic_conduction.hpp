@@ -14,6 +14,8 @@
 
 #include <cmath>
 
+#include "laws/constants.hpp"
+
 namespace solidem {
 
 /// S_nd: area of one face of the platonic solid round a unit sphere, linear in the number of
@@ -45,7 +47,6 @@ inline double platonic_face_area(double neighbours) {
 /// body-centred 8, face-centred 12), linear between, 0 at 0, the last slope kept above 12, at
 /// most 1.
 inline double platonic_volume_fraction(double neighbours) {
-  constexpr double pi = 3.14159265358979323846;
   const double count[] = {0, 4, 6, 8, 12};
   const double fraction[] = {0, pi * std::sqrt(3.0) / 16, pi / 6, pi * std::sqrt(3.0) / 8,
                              pi / (3 * std::sqrt(2.0))};
@@ -71,7 +72,6 @@ inline double platonic_transmission_area(const PlatonicElement& i, const Platoni
 /// Heat capacity C_i, J/K. An element without neighbours counts as a bare sphere.
 inline double platonic_heat_capacity(const PlatonicElement& element, double density,
                                      double specific_heat) {
-  constexpr double pi = 3.14159265358979323846;
   const double sphere = 4.0 / 3.0 * pi * element.radius * element.radius * element.radius;
   const double fraction =
       element.neighbours > 0 ? platonic_volume_fraction(element.neighbours) : 1.0;

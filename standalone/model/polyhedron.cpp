@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "laws/constants.hpp"
+
 namespace solidem {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Twice the area of a polygon along its normal.
 Vector doubled_area(const std::vector<Vector>& corners) {

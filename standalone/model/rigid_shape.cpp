@@ -7,13 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "laws/constants.hpp"
 #include "model/facet_tree.hpp"
 
 namespace solidem {
 
 namespace {
 
-constexpr double two_pi = 6.28318530717958647692;
 constexpr int segments = 48;  // of round shapes, in pictures
 
 /// A convex shape: one place, which a formula gives.

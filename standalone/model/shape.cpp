@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laws/constants.hpp"
+
 namespace solidem {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double facet_error = 0.005;  // of the size of what they cut
 
 Vector along(int axis, double value) {

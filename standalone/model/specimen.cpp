@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "laws/constants.hpp"
+
 namespace solidem {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double nearest_image(double difference, double extent, bool periodic) {
   return periodic ? difference - extent * std::nearbyint(difference / extent) : difference;

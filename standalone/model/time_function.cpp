@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laws/constants.hpp"
+
 namespace solidem {
 
 namespace {
-
-constexpr double two_pi = 6.28318530717958647692;
 
 double table_value(const std::vector<double>& time, const std::vector<double>& value, double t) {
   if (time.empty()) return 0;

@@ -39,7 +39,7 @@ std::string numbers(const std::vector<std::size_t>& shape) {
   return fmt::format("{}", fmt::join(shape, " "));
 }
 
-std::string escaped(const std::string& text) {
+std::string xml_text(const std::string& text) {
   std::string safe;
   for (const char letter : text) {
     if (letter == '&')
@@ -57,15 +57,15 @@ std::string escaped(const std::string& text) {
 }
 
 constexpr char real[] = "NumberType=\"Float\" Precision=\"8\"";
-constexpr char integer[] = "NumberType=\"Int\" Precision=\"4\"";
+constexpr char integer_type[] = "NumberType=\"Int\" Precision=\"4\"";
 
 /// Where an XDMF index finds an array of a file in the trajectory's folder.
 std::string data_item(const std::string& folder, const std::string& source,
                       const std::string& where, const std::vector<std::size_t>& shape,
                       const char* type) {
   return fmt::format("<DataItem Format=\"HDF\" Dimensions=\"{}\" {}>{}/{}.h5:/{}</DataItem>",
-                     numbers(shape), type, escaped(fs::path(folder).filename().string()), source,
-                     escaped(where));
+                     numbers(shape), type, xml_text(fs::path(folder).filename().string()), source,
+                     xml_text(where));
 }
 
 std::size_t lines_to_draw(const Specimen& specimen) {
@@ -305,12 +305,12 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
     text += fmt::format(
         "        <Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" "
         "NumberOfElements=\"{}\">{}</Topology>\n",
-        lines_, at_rest("bonds/pairs", {lines_, 2}, integer));
+        lines_, at_rest("bonds/pairs", {lines_, 2}, integer_type));
   else
     text += fmt::format(
         "        <Topology TopologyType=\"Polyvertex\" NodesPerElement=\"1\" "
         "NumberOfElements=\"{}\">{}</Topology>\n",
-        elements_, at_rest("elements/index", {elements_}, integer));
+        elements_, at_rest("elements/index", {elements_}, integer_type));
 
   std::string place = at_rest("elements/position", {elements_, 3}, real);
   std::string attributes = fmt::format(
@@ -321,7 +321,7 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
     attributes += fmt::format(
         "        <Attribute Name=\"body\" AttributeType=\"Scalar\" "
         "Center=\"Node\">{}</Attribute>\n",
-        at_rest("elements/body", {elements_}, integer));
+        at_rest("elements/body", {elements_}, integer_type));
   for (const FrameField& field : frame.fields) {
     if (field.name == "position") {
       place = item_of(frame.name, field.name, {elements_, 3}, real);
@@ -334,7 +334,7 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
                                                      : "Matrix";
     attributes += fmt::format(
         "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
-        escaped((field.of_bonds ? "bond " : "") + field.name), type,
+        xml_text((field.of_bonds ? "bond " : "") + field.name), type,
         field.of_bonds ? "Cell" : "Node",
         item_of(frame.name, (field.of_bonds ? "bonds/" : "") + field.name,
                 shape_of(rows(field), field.components), real));
@@ -358,8 +358,8 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame, const FrameSurface& su
       "      <Grid Name=\"{}\" GridType=\"Uniform\">\n"
       "        <Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n"
       "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n      </Grid>\n",
-      escaped(surface.name), surface.facets,
-      data_item(folder_, frame.name, group + "/facets", {surface.facets, 3}, integer),
+      xml_text(surface.name), surface.facets,
+      data_item(folder_, frame.name, group + "/facets", {surface.facets, 3}, integer_type),
       data_item(folder_, frame.name, group + "/vertices", {surface.vertices, 3}, real));
 }
 

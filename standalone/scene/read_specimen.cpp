@@ -4,13 +4,13 @@
 #include <map>
 
 #include "keys/rules.hpp"
+#include "laws/constants.hpp"
 #include "scene/sections.hpp"
 
 namespace solidem {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr Dimension volume{"a volume", "m^3", "20 mm^3"};
 
 // Elements are numbered with 32 bits.
@@ -173,8 +173,8 @@ void read_recipe(const Section& section, SpecimenRecipe& recipe, const std::stri
 }
 
 /// A file, and the body of its spheres where it does not tell that itself.
-void read_file(const Section& section, SpecimenRecipe& recipe, const std::string& scene_file,
-               const std::vector<Key>& more) {
+void read_specimen_file(const Section& section, SpecimenRecipe& recipe,
+                        const std::string& scene_file, const std::vector<Key>& more) {
   const Rule shape = choice<std::string>(recipe.shape, {{"box", "box"},
                                                         {"plate", "plate"},
                                                         {"cylinder", "cylinder"},
@@ -202,7 +202,7 @@ void read_file(const Section& section, SpecimenRecipe& recipe, const std::string
 void read_specimen(const Section& section, SpecimenRecipe& recipe, const std::string& scene_file,
                    const std::vector<Key>& more) {
   if (section.has("file"))
-    read_file(section, recipe, scene_file, more);
+    read_specimen_file(section, recipe, scene_file, more);
   else
     read_recipe(section, recipe, scene_file, more);
 }

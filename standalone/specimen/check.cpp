@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "neighbours/linked_cells.hpp"
 #include "specimen/specimen_file.hpp"
@@ -11,8 +12,6 @@
 namespace solidem {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 void check_domain(const Domain& domain, const std::string& origin) {
   static const char* const shapes[] = {"box",    "plate", "cylinder", "annulus", "wedge",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "keys/mesh_file.hpp"
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "neighbours/linked_cells.hpp"
 #include "specimen/mesh_walls.hpp"
@@ -21,8 +22,6 @@
 namespace solidem {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Domain domain_of(const TriangleMesh& mesh) {
   Domain domain;

@@ -7,14 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "neighbours/linked_cells.hpp"
 
 namespace solidem {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 void insist_on_length(double value, const char* key) {
   if (!(value > 0) || !std::isfinite(value))

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laws/constants.hpp"
+
 namespace solidem {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 void add_flat_ends(const Domain& domain, std::vector<Wall>& walls) {
   const Vector extent = domain.upper - domain.lower;

@@ -89,10 +89,10 @@ struct Evaluation {
   Eigen::Matrix<double, 9, Eigen::Dynamic> rate;
 };
 
-class Search {
+class OrthotropicSearch {
  public:
-  Search(const OrthotropicRequest& request, const BeamParameters& start,
-         const std::vector<Specimen>& specimens)
+  OrthotropicSearch(const OrthotropicRequest& request, const BeamParameters& start,
+                    const std::vector<Specimen>& specimens)
       : request_(request), specimens_(specimens), parameters_(parameters_of(start)) {}
 
   /// `near`: an evaluation nearby, or null.
@@ -214,7 +214,7 @@ OrthotropicCalibration calibrate_orthotropic(
   if (std::none_of(request.target.begin(), request.target.end(),
                    [](const auto& target) { return target.has_value(); }))
     throw InputError("no target is given; expected young_moduli, shear_moduli or poisson_ratios");
-  const Search search(request, start, specimens);
+  const OrthotropicSearch search(request, start, specimens);
   OrthotropicCalibration result{};
   const auto note = [&](const Evaluation& evaluation) {
     result.trials.push_back(
