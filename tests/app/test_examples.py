@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import re
+import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,7 +21,8 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "docs" / "examples"
 #: Examples that take more than some seconds.
-SLOW = {"central_forces", "conduction", "moving_source", "rupture", "two_materials"}
+SLOW = {"bimetal", "central_forces", "conduction", "falling_block", "fibre_pull_out", "moving_source",
+        "rupture", "shot_plate", "threaded_pin", "three_rollers", "two_materials"}
 #: Told elsewhere: docs/calibration.md.
 ELSEWHERE = {"calibration", "calibration_5000"}
 
@@ -92,6 +94,12 @@ def test_every_example_has_figures() -> None:
     assert {scene for scene, _ in table()} | ELSEWHERE == scenes
     for path in EXAMPLES.glob("*.toml"):
         assert path.read_text().startswith("# "), f"{path.name} does not begin with what it is"
+
+
+def test_the_threaded_pin_is_what_its_script_writes(tmp_path: Path) -> None:
+    again = tmp_path / "pin.obj"
+    subprocess.run([EXAMPLES / "make_threaded_pin", again], check=True)
+    assert again.read_bytes() == (EXAMPLES / "threaded_pin.obj").read_bytes()
 
 
 def test_words_of_the_first_example_are_those_of_the_table() -> None:
