@@ -2,8 +2,8 @@
 """Pictures of bodies of spheres and of the tools beside them, without a display.
 
 A pixel shows what stands nearest: each sphere and each triangle is entered into a buffer of depths.
-Parallel projection; light comes from the viewer's upper left, and what lies deeper than what is round
-it is darker. Tools are glass where they stand before a body.
+Parallel projection; light comes from the viewer's upper left, and what lies deeper than what is
+round it is darker. Tools are glass where they stand before a body.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ Facets = NDArray[np.int64]
 
 LIGHT = np.array([-0.4, 0.5, 0.77])
 AMBIENT = 0.4
+GLASS = 0.3  #: how much of its own colour a tool shows before a body
 SAMPLES = 2  #: of each pixel, along either side
 
 
@@ -32,7 +33,8 @@ def view_axes(azimuth: float, elevation: float) -> Array:
 def blurred(values: Array, reach: int) -> Array:
     """Means over squares of 2 reach + 1 pixels, (height, width); edges are led on."""
     for axis in (0, 1):
-        padded = np.pad(values, [(reach + 1, reach) if a == axis else (0, 0) for a in (0, 1)], "edge")
+        margins = [(reach + 1, reach) if a == axis else (0, 0) for a in (0, 1)]
+        padded = np.pad(values, margins, "edge")
         sums = np.cumsum(padded, axis=axis)
         size = values.shape[axis]
         ahead = np.take(sums, np.arange(2 * reach + 1, 2 * reach + 1 + size), axis=axis)
@@ -69,7 +71,6 @@ class Picture:
     azimuth: float = -60
     elevation: float = 25
     width: int = 900
-    glass: float = 0.3  #: how much of its own colour a tool shows before a body
 
     def __post_init__(self) -> None:
         self.axes = view_axes(self.azimuth, self.elevation)
@@ -149,7 +150,7 @@ class Picture:
         """(height, width, 3), from 0 to 1, the first row on top."""
         colour = self._shaded()
         before = self.tools.depth > self.bodies.depth
-        glass = np.where(np.isfinite(self.bodies.depth), self.glass, 1)[before][:, None]
+        glass = np.where(np.isfinite(self.bodies.depth), GLASS, 1)[before][:, None]
         colour[before] = glass * self.tools.colour[before] + (1 - glass) * colour[before]
         height, width, _ = colour.shape
         samples = colour.reshape(height // SAMPLES, SAMPLES, width // SAMPLES, SAMPLES, 3)

@@ -81,7 +81,8 @@ def follow(folder: Path, compare: bool) -> list[str]:
 def test_every_step_prints_what_the_page_says(tmp_path: Path) -> None:
     promised = follow(tmp_path, compare=False)
     assert len(promised) >= 9
-    for name in ("aluminium/calibrated.toml", "torn/trajectory.xdmf", "torn/summary.json", "torn.png"):
+    for name in ("aluminium/calibrated.toml", "torn/trajectory.xdmf", "torn/summary.json",
+                 "torn.png"):
         assert (tmp_path / name).exists(), name
 
 
