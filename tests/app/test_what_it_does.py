@@ -46,7 +46,6 @@ SCENES = {
     "`[damping]` `bonds`, `[[grips]]` that turn": BODY + ALUMINIUM + STIFF_BEAMS
     + "[damping]\nbonds = 0.1\n" + grip("screw", HIGH_END, 'torque = "1 N m"\nrotation_axis = [1, 0, 0]'),
     "a periodic body, `[[tools]]`": PERIODIC + ALUMINIUM + STIFF_BEAMS + TOOL,
-    "a periodic body, `[gauge]` along the period": PERIODIC + ALUMINIUM + STIFF_BEAMS + GAUGE,
     "`[damage]`, `[beams]` without `[rupture]`":
         BODY + ALUMINIUM + STIFF_BEAMS + "[damage]\ncrack_threshold = 0.7\n",
     "`[plastic_heat]` without `[plasticity]`":
