@@ -36,8 +36,6 @@ SCENES = {
     "`[contact]` alone, `[gauge]`": BODY + ALUMINIUM + LOOSE + GAUGE,
     '`[beams]` `law = "spring"`, `[contact]` `friction`':
         BODY + ALUMINIUM + SPRINGS + "[contact]\nfriction = 0.3\n",
-    "`[[beams.material]]`, `[plasticity]`": BODY + ALUMINIUM + STIFF_BEAMS + SECOND_MATERIAL + FLOW,
-    "`[[beams.material]]`, `[rupture]`": BODY + ALUMINIUM + STIFF_BEAMS + SECOND_MATERIAL + BREAK,
     "`[[beams.material]]`, `[beams.anisotropy]`": BODY + ALUMINIUM + STIFF_BEAMS + SECOND_MATERIAL
     + '[beams.anisotropy]\ngrain = [1, 0, 0]\ntangential_modulus = "1 GPa"\n',
     '`[plasticity]` `law = "scaled-offset"`, `[contact]` `rebonding_pressure`':
