@@ -5,12 +5,15 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
+
+from docutils.nodes import Element, SkipNode
 
 ROOT = Path(__file__).resolve().parents[2]
 
 project = "solidem"
 author = copyright = "the solidem developers"
-release = re.search(r"project\(solidem VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+release = re.findall(r"project\(solidem VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[0]
 
 extensions = ["myst_parser"]
 myst_enable_extensions = ["dollarmath"]
@@ -28,14 +31,13 @@ html_copy_source = False
 html_math_renderer = "katex"
 
 
-def formula(translator, node) -> None:
+def formula(translator: Any, node: Element) -> None:
     """TeX that static/formulas.js turns into a formula."""
     tag = "div" if node.tagname == "math_block" else "span"
     translator.body.append(translator.starttag(node, tag, "", CLASS="formula " + node.tagname)
                            + translator.encode(node.astext()) + f"</{tag}>")
-    from docutils.nodes import SkipNode
     raise SkipNode
 
 
-def setup(app) -> None:
+def setup(app: Any) -> None:
     app.add_html_math_renderer("katex", (formula, None), (formula, None))
