@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <variant>
 
 #include "effects/bond_slot.hpp"
@@ -13,6 +14,10 @@
 namespace solidem {
 
 namespace {
+
+/// Some hundred microseconds of work: below, waking a second thread costs as much as it saves, and
+/// on a busy machine many times more.
+constexpr std::size_t least_blocks_of_beams = 100;
 
 /// Writes the components of a column in a slot.
 void set_slot(Model& model, const Column& column, std::size_t row, int lane,
@@ -268,15 +273,17 @@ void Beams::advance(Model& model, const Step& step) {
   common.drift = step.time_step;
   breaking_.clear();
   const auto move = kernels().move_beams;
-  for_blocks(model.slots().blocks(), 40, [&](std::size_t first, std::size_t last) {
-    std::vector<std::uint32_t> breaking;
-    BeamMotion mine = common;
-    mine.breaking = &breaking;
-    move(mine, first, last);
-    if (breaking.empty()) return;
-#pragma omp critical(solidem_breaking)
-    breaking_.insert(breaking_.end(), breaking.begin(), breaking.end());
-  });
+  std::mutex gathering;
+  for_blocks(model.slots().blocks(), least_blocks_of_beams,
+             [&](std::size_t first, std::size_t last) {
+               std::vector<std::uint32_t> breaking;
+               BeamMotion mine = common;
+               mine.breaking = &breaking;
+               move(mine, first, last);
+               if (breaking.empty()) return;
+               const std::lock_guard<std::mutex> lock(gathering);
+               breaking_.insert(breaking_.end(), breaking.begin(), breaking.end());
+             });
   std::sort(breaking_.begin(), breaking_.end());
 }
 
@@ -285,9 +292,9 @@ void Beams::accelerate(Model& model) const {
   elastic.kick = 1;
   elastic.yield = nullptr;
   elastic.rupture = nullptr;
-  for_blocks(model.slots().blocks(), 40, [&](std::size_t first, std::size_t last) {
-    kernels().move_beams(elastic, first, last);
-  });
+  for_blocks(
+      model.slots().blocks(), least_blocks_of_beams,
+      [&](std::size_t first, std::size_t last) { kernels().move_beams(elastic, first, last); });
 }
 
 double Beams::longest_time_step(double squared_frequency) const {
@@ -328,7 +335,7 @@ void Beams::observe(const Model& model, Observation& observation) const {
   motion.moment.assign(count, {});
   std::vector<double> energy(blocks, 0.0), work(blocks, 0.0);
   const BeamMotion columns_now = columns_of(model);
-  for_blocks(blocks, 40, [&](std::size_t first, std::size_t last) {
+  for_blocks(blocks, least_blocks_of_beams, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
       model.slots().for_each_in(block,
                                 [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {

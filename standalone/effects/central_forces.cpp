@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
@@ -168,10 +169,7 @@ void CentralForces::fill_slots() {
   const std::uint32_t* first_row = model_.slots().first_row();
   if (rest_length != nullptr)
     std::fill(rest_length, rest_length + model_.size(columns::rest_length), 1.0);
-  const auto count = static_cast<std::ptrdiff_t>(specimen.size());
-#pragma omp parallel for schedule(static) if (count > 5000)
-  for (std::ptrdiff_t element = 0; element < count; ++element) {
-    const auto i = static_cast<std::size_t>(element);
+  const auto lay_out = [&](std::size_t i) {
     const int lane = static_cast<int>(i % lanes);
     std::size_t known = initial_.first[i];
     for (std::size_t k = lists.first[i]; k < lists.first[i + 1]; ++k) {
@@ -194,7 +192,10 @@ void CentralForces::fill_slots() {
           is_known ? initial_distance_[known]
                    : specimen.radius[i] + specimen.radius[static_cast<std::size_t>(j)];
     }
-  }
+  };
+  for_blocks(specimen.size(), 5000, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) lay_out(i);
+  });
 }
 
 void CentralForces::search() {
@@ -286,14 +287,13 @@ void CentralForces::advance(Model& model, const Step& step) {
   common.drift = step.time_step;
   common.compression_ratio = compression_ratio_;
   const auto move = kernels().move_by_central_forces;
+  std::mutex gathering;
   for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
     CentralMotion mine = common;
     move(mine, first, last);
-#pragma omp critical(solidem_central_forces)
-    {
-      compression_ratio_ = std::max(compression_ratio_, mine.compression_ratio);
-      list_outdated_ = list_outdated_ || mine.outran;
-    }
+    const std::lock_guard<std::mutex> lock(gathering);
+    compression_ratio_ = std::max(compression_ratio_, mine.compression_ratio);
+    list_outdated_ = list_outdated_ || mine.outran;
   });
 }
 
@@ -448,7 +448,7 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   // Of each element, so that the sums do not depend on where empty slots stand.
   std::vector<double> energy(count, 0.0), pairs(count, 0.0), power(count, 0.0);
   std::vector<double> nearest(count, compression_ratio_);
-  for_blocks(blocks, 40, [&](std::size_t first, std::size_t last) {
+  for_blocks(blocks, least_blocks, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
       model.slots().for_each_in(
           block, [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "effects/selections.hpp"
+#include "model/blocks.hpp"
 #include "model/error.hpp"
 
 namespace solidem {
@@ -102,12 +103,10 @@ std::vector<ElementValue> HeatSpread::exact(const Vector& position) const {
         met.emplace_back(&solid, place);
   }
   std::vector<double> amount(met.size());
-  const auto count = static_cast<std::ptrdiff_t>(met.size());
-#pragma omp parallel for schedule(static) if (count > 500)
-  for (std::ptrdiff_t k = 0; k < count; ++k) {
-    const auto& [solid, place] = met[static_cast<std::size_t>(k)];
-    amount[static_cast<std::size_t>(k)] = part_.amount(solid->cell.solid, place);
-  }
+  for_blocks(met.size(), 500, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k)
+      amount[k] = part_.amount(met[k].first->cell.solid, met[k].second);
+  });
   for (std::size_t k = 0; k < met.size(); ++k) {
     const CellSolid& cell = met[k].first->cell;
     if (amount[k] > 0) amounts.push_back({cell.element, cell.is_in_hole ? -amount[k] : amount[k]});

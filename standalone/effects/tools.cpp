@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "effects/removed_elements.hpp"
 #include "effects/selections.hpp"
 #include "model/axis_names.hpp"
+#include "model/blocks.hpp"
 #include "model/error.hpp"
 #include "model/lane_vectors.hpp"
 
@@ -20,8 +22,9 @@ namespace solidem {
 
 namespace {
 
-constexpr double deepest_start = 0.25;  // of an element's radius: deeper is refused
-constexpr std::size_t least_for_threads = 64;
+constexpr double deepest_start = 0.25;         // of an element's radius: deeper is refused
+constexpr std::size_t least_for_threads = 64;  // candidates, of which each looks at facets
+constexpr std::size_t least_elements = 4097;   // of which each is looked at once
 
 Vector centre_of(const Model& model, std::size_t element) {
   const double* row = model.positions()[element];
@@ -38,10 +41,13 @@ const double* rows_before(Model& model) {
 template <class Value>
 double largest_of(const Model& model, const Value& value) {
   double largest = 0;
-  const auto elements = static_cast<std::ptrdiff_t>(model.elements());
-#pragma omp parallel for reduction(max : largest) schedule(static) if (elements > 4096)
-  for (std::ptrdiff_t i = 0; i < elements; ++i)
-    largest = std::max(largest, value(static_cast<std::size_t>(i)));
+  std::mutex gathering;
+  for_blocks(model.elements(), least_elements, [&](std::size_t first, std::size_t last) {
+    double mine = 0;
+    for (std::size_t i = first; i < last; ++i) mine = std::max(mine, value(i));
+    const std::lock_guard<std::mutex> lock(gathering);
+    largest = std::max(largest, mine);
+  });
   return largest;
 }
 
@@ -157,14 +163,15 @@ void Tool::search(const Model& model) {
   const std::size_t elements = model.elements();
   std::vector<double> gap(elements, std::numeric_limits<double>::infinity());
   listed_at_.resize(elements);
-#pragma omp parallel for schedule(static) if (elements > 4096)
-  for (std::size_t i = 0; i < elements; ++i) {
-    listed_at_[i] = centre_of(model, i);
-    const double reach = radius_[i] + skin_;
-    if (!is_present(model, i)) continue;
-    const double distance = shape_->distance(now.to_body(listed_at_[i]), reach + watch_);
-    if (distance < reach + watch_) gap[i] = distance - radius_[i];
-  }
+  for_blocks(elements, least_elements, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      listed_at_[i] = centre_of(model, i);
+      const double reach = radius_[i] + skin_;
+      if (!is_present(model, i)) continue;
+      const double distance = shape_->distance(now.to_body(listed_at_[i]), reach + watch_);
+      if (distance < reach + watch_) gap[i] = distance - radius_[i];
+    }
+  });
   std::vector<Candidate> before = std::move(candidates_);
   candidates_.clear();
   watched_.clear();
@@ -304,17 +311,19 @@ void Tool::look(Model& model, const Step& step, const std::vector<char>& imposed
   if (must_search(model)) search(model);
   const RigidPose now = pose();
   const double of_tool = moved_since_search();
-#pragma omp parallel for schedule(static) if (candidates_.size() > least_for_threads)
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    const auto i = static_cast<std::size_t>(candidates_[k].element);
-    const double left = candidates_[k].gap - of_tool;
-    const bool is_apart = candidates_[k].touches.empty() && left > 0 &&
+  const auto meet_one = [&](Candidate& candidate) {
+    const auto i = static_cast<std::size_t>(candidate.element);
+    const double left = candidate.gap - of_tool;
+    const bool is_apart = candidate.touches.empty() && left > 0 &&
                           squared(centre_of(model, i) - listed_at_[i]) < left * left;
-    candidates_[k].friction = candidates_[k].damping = 0;
-    if (is_apart) continue;
+    candidate.friction = candidate.damping = 0;
+    if (is_apart) return;
     meet(passer(model, i, imposed[i] != 0, step.time_step), now, passage, step.time_step,
-         candidates_[k]);
-  }
+         candidate);
+  };
+  for_blocks(candidates_.size(), least_for_threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) meet_one(candidates_[k]);
+  });
   force_ = torque_ = {};
   stored_ = 0;
   for (const Candidate& candidate : candidates_) {

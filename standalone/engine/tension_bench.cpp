@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/tension_bench.hpp"
 
-#include <exception>
+#include "model/blocks.hpp"
 
 namespace solidem {
 
 void for_each_at_once(std::size_t count, const std::function<void(std::size_t)>& work) {
-  if (count == 1) {  // inside a parallel region the work itself would find no threads
-    work(0);
-    return;
-  }
-  std::vector<std::exception_ptr> thrown(count);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t k = 0; k < count; ++k) {
-    try {
-      work(k);
-    } catch (...) {
-      thrown[k] = std::current_exception();
-    }
-  }
-  for (const std::exception_ptr& exception : thrown)
-    if (exception) std::rethrow_exception(exception);
+  for_each_part(count, count > 1, work);  // one alone has all threads for what it does itself
 }
 
 TensionBench::TensionBench(const std::vector<Specimen>& specimens,

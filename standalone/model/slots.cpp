@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "model/blocks.hpp"
+
 namespace solidem {
 
 Slots::Slots(std::size_t elements, const std::vector<Pair>& bonds)
@@ -33,13 +35,11 @@ Slots::Slots(const std::vector<std::uint32_t>& first, const std::vector<std::int
   std::vector<std::uint32_t> used((elements_ + lanes - 1) / lanes * lanes, 0);
   for (std::size_t i = 0; i < elements_; ++i) used[i] = first[i + 1] - first[i];
   lay_out(used);
-  const auto count = static_cast<std::ptrdiff_t>(elements_);
-#pragma omp parallel for schedule(static) if (count > 20000)
-  for (std::ptrdiff_t element = 0; element < count; ++element) {
-    const auto i = static_cast<std::size_t>(element);
-    for (std::size_t k = first[i]; k < first[i + 1]; ++k)
-      neighbour_[(first_row_[i / lanes] + (k - first[i])) * lanes + i % lanes] = neighbours[k];
-  }
+  for_blocks(elements_, 20000, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t k = first[i]; k < first[i + 1]; ++k)
+        neighbour_[(first_row_[i / lanes] + (k - first[i])) * lanes + i % lanes] = neighbours[k];
+  });
 }
 
 void Slots::lay_out(const std::vector<std::uint32_t>& used) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/blocks.hpp"
+
 namespace solidem {
 
 LinkedCells::LinkedCells(const CellBox& box, double reach, std::size_t elements)
@@ -28,11 +30,10 @@ LinkedCells::LinkedCells(const CellBox& box, double reach, std::size_t elements)
 }
 
 void LinkedCells::sort(const std::vector<Vector>& position) {
-  const auto n = static_cast<std::ptrdiff_t>(position.size());
+  const std::size_t n = position.size();
   std::vector<Vector> inside(position.size());
   cell_of_.resize(position.size());
-#pragma omp parallel for schedule(static) if (n > 20000)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
+  const auto put_into_cell = [&](std::size_t i) {
     std::array<std::size_t, 3> index{};
     for (int axis = 0; axis < 3; ++axis) {
       const double extent = component(extent_, axis);
@@ -45,14 +46,17 @@ void LinkedCells::sort(const std::vector<Vector>& position) {
                                : 0;
     }
     cell_of_[i] = (index[2] * counts_[1] + index[1]) * counts_[0] + index[0];
-  }
+  };
+  for_blocks(n, 20000, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) put_into_cell(i);
+  });
 
   first_.assign(cell_count() + 1, 0);
   for (const std::size_t cell : cell_of_) ++first_[cell + 1];
   for (std::size_t cell = 0; cell < cell_count(); ++cell) first_[cell + 1] += first_[cell];
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   residents_.resize(position.size());
-  for (std::ptrdiff_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
     residents_[next[cell_of_[i]]++] = {inside[i], static_cast<std::int32_t>(i)};
 }
 
@@ -136,18 +140,17 @@ std::vector<Pair> neighbour_pairs(const CellBox& box, const std::vector<Vector>&
   // Blocks of cells fill lists of their own; the final sort makes the order independent of all
   // this.
   const std::size_t cell_count = cells.cell_count();
-  const auto blocks = static_cast<std::ptrdiff_t>(std::min<std::size_t>(cell_count, 64));
+  const std::size_t blocks = std::min<std::size_t>(cell_count, 64);
   std::vector<std::vector<Pair>> found(blocks);
-#pragma omp parallel for schedule(dynamic) if (position.size() > 5000)
-  for (std::ptrdiff_t block = 0; block < blocks; ++block) {
-    const std::size_t first = cell_count * static_cast<std::size_t>(block) / blocks;
-    const std::size_t last = cell_count * static_cast<std::size_t>(block + 1) / blocks;
+  for_each_part(blocks, position.size() > 5000, [&](std::size_t block) {
+    const std::size_t first = cell_count * block / blocks;
+    const std::size_t last = cell_count * (block + 1) / blocks;
     cells.for_each_pair(first, last, [&](std::int32_t i, std::int32_t j, const Vector& chord) {
       const double reach = stretch * (radius[i] + radius[j]);
       if (dot(chord, chord) <= reach * reach)
         found[block].push_back({std::min(i, j), std::max(i, j)});
     });
-  }
+  });
 
   std::vector<Pair> pairs;
   for (const auto& list : found) pairs.insert(pairs.end(), list.begin(), list.end());

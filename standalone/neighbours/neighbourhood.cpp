@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "model/blocks.hpp"
 #include "model/error.hpp"
 #include "neighbours/linked_cells.hpp"
 
@@ -213,16 +214,13 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
   const LinkedCells cells = sorted_into_cells(domain, position, reach);
 
   const std::size_t cell_count = cells.cell_count();
-  const auto parts = static_cast<std::ptrdiff_t>(std::min<std::size_t>(cell_count, 64));
-  std::vector<Run> runs(static_cast<std::size_t>(parts));
-#pragma omp parallel for schedule(dynamic) if (count > 5000)
-  for (std::ptrdiff_t part = 0; part < parts; ++part) {
-    Run& run = runs[static_cast<std::size_t>(part)];
-    const std::size_t per_part = cell_count / static_cast<std::size_t>(parts);
-    const std::size_t rest = cell_count % static_cast<std::size_t>(parts);
-    const auto p = static_cast<std::size_t>(part);
-    const std::size_t begin = per_part * p + std::min(rest, p);
-    const std::size_t end = begin + per_part + (p < rest ? 1 : 0);
+  const std::size_t parts = std::min<std::size_t>(cell_count, 64);
+  std::vector<Run> runs(parts);
+  for_each_part(parts, count > 5000, [&](std::size_t part) {
+    Run& run = runs[part];
+    const std::size_t per_part = cell_count / parts, rest = cell_count % parts;
+    const std::size_t begin = per_part * part + std::min(rest, part);
+    const std::size_t end = begin + per_part + (part < rest ? 1 : 0);
     Candidates candidates;
     for (std::size_t cell = begin; cell < end; ++cell) {
       if (cells.first_of(cell) == cells.first_of(cell + 1)) continue;
@@ -256,7 +254,7 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
                                   static_cast<std::uint32_t>(run.found.size() - began));
       }
     }
-  }
+  });
 
   for (const Run& run : runs)
     for (const auto& [element, number] : run.elements)
@@ -264,9 +262,8 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
   for (std::size_t i = 0; i < count; ++i) result.first[i + 1] += result.first[i];
   result.neighbour.resize(result.first.back());
   if (periodic) result.image.resize(result.first.back());
-#pragma omp parallel for schedule(dynamic) if (count > 5000)
-  for (std::ptrdiff_t part = 0; part < parts; ++part) {
-    const Run& run = runs[static_cast<std::size_t>(part)];
+  for_each_part(parts, count > 5000, [&](std::size_t part) {
+    const Run& run = runs[part];
     std::size_t from = 0;
     for (const auto& entry : run.elements) {
       std::size_t to = result.first[static_cast<std::size_t>(entry.first)];
@@ -276,7 +273,7 @@ Neighbourhood find_neighbours(const Domain& domain, const std::vector<Vector>& p
           result.image[to] = Image::of_code(static_cast<std::uint32_t>(run.found[from]));
       }
     }
-  }
+  });
   return result;
 }
 

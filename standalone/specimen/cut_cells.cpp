@@ -8,6 +8,8 @@
 #include <numeric>
 #include <voro++/voro++.hh>
 
+#include "model/blocks.hpp"
+
 namespace solidem {
 
 namespace {
@@ -61,26 +63,32 @@ bool cut_at_sphere(voro::voronoicell& cell, double radius, std::vector<double>& 
   return true;
 }
 
+/// What each thread has of its own, for voro++ keeps notes while it works.
+struct Cutter {
+  std::unique_ptr<voro::container_poly> container;
+  voro::voronoicell cell;
+  std::vector<double> corners;
+};
+
 }  // namespace
 
 double cut_cell_volume(const Specimen& specimen) {
   const double unit = mean_radius(specimen);
   std::vector<double> volume(specimen.size(), 0.0);
-#pragma omp parallel
-  {
-    // Each thread has its own, for voro++ keeps notes while it works.
-    const auto container = container_of(specimen, unit);
-    voro::voronoicell cell;
-    std::vector<double> corners;
-#pragma omp for schedule(dynamic)
-    for (int block = 0; block < container->nxyz; ++block)
-      for (int k = 0; k < container->co[block]; ++k) {
-        const auto element = static_cast<std::size_t>(container->id[block][k]);
-        if (container->compute_cell(cell, block, k) &&
-            cut_at_sphere(cell, specimen.radius[element] / unit, corners))
-          volume[element] = cell.volume();
-      }
-  }
+  const auto blocks = static_cast<std::size_t>(container_of(specimen, unit)->nxyz);
+  for_each_part_with(
+      blocks, true,
+      [&] {
+        return Cutter{container_of(specimen, unit), {}, {}};
+      },
+      [&](Cutter& own, std::size_t block) {
+        for (int k = 0; k < own.container->co[block]; ++k) {
+          const auto element = static_cast<std::size_t>(own.container->id[block][k]);
+          if (own.container->compute_cell(own.cell, static_cast<int>(block), k) &&
+              cut_at_sphere(own.cell, specimen.radius[element] / unit, own.corners))
+            volume[element] = own.cell.volume();
+        }
+      });
   return std::accumulate(volume.begin(), volume.end(), 0.0) * unit * unit * unit;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/blocks.hpp"
 #include "neighbours/linked_cells.hpp"
 #include "specimen/mesh_walls.hpp"
 
@@ -13,8 +14,8 @@ namespace {
 
 constexpr std::size_t block_size = 1024;
 
-std::ptrdiff_t block_count(std::size_t elements) {
-  return static_cast<std::ptrdiff_t>((elements + block_size - 1) / block_size);
+std::size_t block_count(std::size_t elements) {
+  return (elements + block_size - 1) / block_size;
 }
 
 // FIRE's parameters. The largest step is .7 of the stable one of a sphere with a dozen contacts.
@@ -83,17 +84,16 @@ void SoftSpheres::build_lists() {
   LinkedCells cells({domain_.lower, domain_.upper, domain_.periodic}, 2.0 * largest + skin_, n);
   cells.sort(listed_position_);
   const std::size_t cell_count = cells.cell_count();
-  const auto blocks = static_cast<std::ptrdiff_t>(std::min<std::size_t>(cell_count, 64));
-  std::vector<std::vector<Pair>> found(static_cast<std::size_t>(blocks));
-#pragma omp parallel for schedule(dynamic) if (n > 3000)
-  for (std::ptrdiff_t block = 0; block < blocks; ++block) {
-    const std::size_t first = cell_count * static_cast<std::size_t>(block) / blocks;
-    const std::size_t last = cell_count * static_cast<std::size_t>(block + 1) / blocks;
+  const std::size_t blocks = std::min<std::size_t>(cell_count, 64);
+  std::vector<std::vector<Pair>> found(blocks);
+  for_each_part(blocks, n > 3000, [&](std::size_t block) {
+    const std::size_t first = cell_count * block / blocks;
+    const std::size_t last = cell_count * (block + 1) / blocks;
     cells.for_each_pair(first, last, [&](std::int32_t i, std::int32_t j, const Vector& chord) {
       const double reach = ball_[i].radius + ball_[j].radius + skin_;
       if (dot(chord, chord) < reach * reach) found[block].push_back({i, j});
     });
-  }
+  });
   first_neighbour_.assign(n + 1, 0);
   for (const auto& list : found)
     for (const Pair& pair : list) {
@@ -111,14 +111,12 @@ void SoftSpheres::build_lists() {
 }
 
 void SoftSpheres::find_near_surface() {
-  const auto n = static_cast<std::ptrdiff_t>(ball_.size());
   is_near_surface_.resize(ball_.size());
-#pragma omp parallel for schedule(static) if (n > 3000)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Ball& ball = ball_[static_cast<std::size_t>(i)];
-    is_near_surface_[static_cast<std::size_t>(i)] =
-        surface_->signed_distance(ball.centre) > -(ball.radius + skin_) ? 1 : 0;
-  }
+  for_blocks(ball_.size(), 3000, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      is_near_surface_[i] =
+          surface_->signed_distance(ball_[i].centre) > -(ball_[i].radius + skin_) ? 1 : 0;
+  });
 }
 
 void SoftSpheres::wall_force(const Ball& ball, Vector& force) const {
@@ -184,15 +182,14 @@ SoftSpheres::Sums SoftSpheres::forces_of_block(std::size_t first, std::size_t la
 }
 
 void SoftSpheres::compute_forces() {
-  const std::ptrdiff_t blocks = block_count(size());
-  std::vector<Sums> partial(static_cast<std::size_t>(blocks));
-#pragma omp parallel for schedule(static) if (blocks > 3)
-  for (std::ptrdiff_t block = 0; block < blocks; ++block) {
-    const std::size_t first = static_cast<std::size_t>(block) * block_size;
-    const std::size_t last = std::min(first + block_size, size());
-    partial[block] =
-        any_periodic_ ? forces_of_block<true>(first, last) : forces_of_block<false>(first, last);
-  }
+  std::vector<Sums> partial(block_count(size()));
+  for_blocks(partial.size(), 4, [&](std::size_t from, std::size_t to) {
+    for (std::size_t block = from; block < to; ++block) {
+      const std::size_t first = block * block_size, last = std::min(first + block_size, size());
+      partial[block] =
+          any_periodic_ ? forces_of_block<true>(first, last) : forces_of_block<false>(first, last);
+    }
+  });
   sums_ = {};
   for (const Sums& s : partial) {
     sums_.power += s.power;
@@ -206,20 +203,16 @@ void SoftSpheres::compute_forces() {
 // v ← keep v + steer F, then a step; returns the largest squared distance from where the lists were
 // made.
 double SoftSpheres::move(double time_step, double keep, double steer) {
-  const std::ptrdiff_t blocks = block_count(size());
-  double farthest2 = 0;
-#pragma omp parallel for schedule(static) reduction(max : farthest2) if (blocks > 3)
-  for (std::ptrdiff_t block = 0; block < blocks; ++block) {
-    const std::size_t first = static_cast<std::size_t>(block) * block_size;
-    const std::size_t last = std::min(first + block_size, size());
-    for (std::size_t i = first; i < last; ++i) {
+  std::vector<double> farthest2(block_count(size()), 0.0);
+  for_blocks(farthest2.size(), 4, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from * block_size; i < std::min(to * block_size, size()); ++i) {
       velocity_[i] = keep * velocity_[i] + (steer + time_step) * force_[i];
       ball_[i].centre += time_step * velocity_[i];
       const Vector moved = ball_[i].centre - listed_position_[i];
-      farthest2 = std::max(farthest2, dot(moved, moved));
+      farthest2[from] = std::max(farthest2[from], dot(moved, moved));
     }
-  }
-  return farthest2;
+  });
+  return *std::max_element(farthest2.begin(), farthest2.end());
 }
 
 int SoftSpheres::relax(double precision, int most_steps,

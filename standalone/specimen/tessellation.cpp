@@ -11,6 +11,7 @@
 #include <utility>
 #include <voro++/voro++.hh>
 
+#include "model/blocks.hpp"
 #include "model/error.hpp"
 #include "specimen/shape.hpp"
 
@@ -440,31 +441,35 @@ bool boxes_meet(const Polyhedron& solid, const Vector& lower, const Vector& uppe
          from.z <= upper.z && to.z >= lower.z;
 }
 
+// Calls work(maker, element, chunk) for each element, with a maker for each thread.
+template <class Work>
+void for_each_cell(const ScaledBody& body, std::size_t elements, const Work& work) {
+  const std::size_t chunks = (elements + chunk_size - 1) / chunk_size;
+  for_each_part_with(
+      chunks, chunks > 4, [&] { return CellMaker(body); },
+      [&](CellMaker& maker, std::size_t chunk) {
+        const std::size_t begin = chunk * chunk_size;
+        for (std::size_t i = begin; i < std::min(begin + chunk_size, elements); ++i)
+          work(maker, i, chunk);
+      });
+}
+
 // Gathers what take(faces, walls, element, in hole, into) makes of each solid of the cells.
 template <class Take>
 std::vector<CellSolid> gather_solids(const Specimen& specimen, const ScaledBody& body,
                                      const Take& take) {
   const std::size_t n = specimen.size();
   std::vector<std::vector<CellSolid>> chunks((n + chunk_size - 1) / chunk_size);
-  const auto chunk_count = static_cast<std::ptrdiff_t>(chunks.size());
-#pragma omp parallel if (chunk_count > 4)
-  {
-    CellMaker maker(body);
-#pragma omp for schedule(dynamic)
-    for (std::ptrdiff_t c = 0; c < chunk_count; ++c) {
-      const std::size_t begin = static_cast<std::size_t>(c) * chunk_size;
-      for (std::size_t i = begin; i < std::min(begin + chunk_size, n); ++i) {
-        Chunk unused;
-        const auto element = static_cast<std::int32_t>(i);
-        if (!(maker.make(element, unused) > 0)) continue;
-        maker.visit_solids(
-            [&](const Polyhedron& solid, const std::vector<std::size_t>& walls, bool is_in_hole) {
-              take(in_metres(solid, body.unit, specimen.domain.lower), walls, element, is_in_hole,
-                   chunks[c]);
-            });
-      }
-    }
-  }
+  for_each_cell(body, n, [&](CellMaker& maker, std::size_t i, std::size_t chunk) {
+    Chunk unused;
+    const auto element = static_cast<std::int32_t>(i);
+    if (!(maker.make(element, unused) > 0)) return;
+    maker.visit_solids(
+        [&](const Polyhedron& solid, const std::vector<std::size_t>& walls, bool is_in_hole) {
+          take(in_metres(solid, body.unit, specimen.domain.lower), walls, element, is_in_hole,
+               chunks[chunk]);
+        });
+  });
   std::vector<CellSolid> all;
   for (std::vector<CellSolid>& chunk : chunks)
     all.insert(all.end(), std::make_move_iterator(chunk.begin()),
@@ -520,17 +525,9 @@ Tessellation tessellate(const Specimen& specimen) {
   Tessellation result;
   result.volume.resize(n);
   std::vector<Chunk> chunks((n + chunk_size - 1) / chunk_size);
-  const auto chunk_count = static_cast<std::ptrdiff_t>(chunks.size());
-#pragma omp parallel if (chunk_count > 4)
-  {
-    CellMaker maker(body);
-#pragma omp for schedule(dynamic)
-    for (std::ptrdiff_t c = 0; c < chunk_count; ++c) {
-      const std::size_t begin = static_cast<std::size_t>(c) * chunk_size;
-      for (std::size_t i = begin; i < std::min(begin + chunk_size, n); ++i)
-        result.volume[i] = maker.make(static_cast<std::int32_t>(i), chunks[c]);
-    }
-  }
+  for_each_cell(body, n, [&](CellMaker& maker, std::size_t i, std::size_t chunk) {
+    result.volume[i] = maker.make(static_cast<std::int32_t>(i), chunks[chunk]);
+  });
   for (std::size_t i = 0; i < n; ++i)
     if (!(result.volume[i] > 0))
       throw InputError(fmt::format(

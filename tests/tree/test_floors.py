@@ -45,6 +45,12 @@ def test_laws_need_nothing_but_laws_and_small_standard_headers() -> None:
         assert set(re.findall(r"#include <([^>]+)>", path.read_text())) <= allowed, path
 
 
+def test_parallel_regions_stand_where_errors_come_out_of_them() -> None:
+    regions = {path.relative_to(STANDALONE).as_posix() for path in sources(STANDALONE)
+               if "#pragma omp" in path.read_text()}
+    assert regions == {"model/blocks.hpp"}
+
+
 def test_every_source_names_its_licence() -> None:
     names = subprocess.run(["git", "ls-files", "*.cpp", "*.hpp", "*.h", "*.py"], cwd=ROOT,
                            check=True, text=True, capture_output=True).stdout.split()

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/blocks.hpp"
+
 namespace solidem {
 
 void HeatBody::bind(HeatEquation& equation) {
@@ -62,17 +64,16 @@ void HeatBody::warm(const HeatState& from, const std::vector<double>& received, 
   to.time = time;
   to.temperature.resize(elements_);
   if (!linear_) to.enthalpy.resize(elements_);
-  const auto count = static_cast<std::int64_t>(elements_);
-#pragma omp parallel for schedule(static) if (count > 20000)
-  for (std::int64_t k = 0; k < count; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    if (linear_) {
-      to.temperature[i] = from.temperature[i] + received[i] / capacity_[i];
-    } else if (!is_imposed(i)) {
-      to.enthalpy[i] = from.enthalpy[i] + received[i];
-      to.temperature[i] = equation_->temperature(i, to.enthalpy[i]);
+  for_blocks(elements_, 20000, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (linear_) {
+        to.temperature[i] = from.temperature[i] + received[i] / capacity_[i];
+      } else if (!is_imposed(i)) {
+        to.enthalpy[i] = from.enthalpy[i] + received[i];
+        to.temperature[i] = equation_->temperature(i, to.enthalpy[i]);
+      }
     }
-  }
+  });
   impose(to);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/blocks.hpp"
+
 namespace solidem {
 
 namespace {
@@ -59,13 +61,11 @@ void SuperTimeStepping::step_in_stages(HeatBody& body, const HeatState& from, do
     const double nu = -(j - 1.0) / j * b(j) / b(j - 2);
     const double mu_rate = mu * w;
     const double gamma_rate = -(1 - b(j - 1)) * mu_rate;
-    const auto count = static_cast<std::int64_t>(size);
-#pragma omp parallel for schedule(static) if (count > 20000)
-    for (std::int64_t k = 0; k < count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      next_[i] = mu * received[i] + nu * before_[i] +
-                 h * (mu_rate * stage_.power[i] + gamma_rate * from.power[i]);
-    }
+    for_blocks(size, 20000, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        next_[i] = mu * received[i] + nu * before_[i] +
+                   h * (mu_rate * stage_.power[i] + gamma_rate * from.power[i]);
+    });
     before_.swap(received);
     received.swap(next_);
     const double time_next = mu * time + nu * time_before + mu_rate + gamma_rate;
