@@ -224,10 +224,6 @@ Hdf5Group Hdf5Group::make_group(const std::string& name) const {
   return {file_, handle, where_ + (where_.back() == '/' ? "" : "/") + name};
 }
 
-void Hdf5Group::remove(const std::string& name) const {
-  if (H5Ldelete(id(), name.c_str(), H5P_DEFAULT) < 0) fail_writing(name);
-}
-
 void Hdf5Group::link(const std::string& name, const std::string& file,
                      const std::string& object) const {
   if (H5Lcreate_external(file.c_str(), object.c_str(), id(), name.c_str(), parents_too(),
@@ -377,13 +373,14 @@ std::string Hdf5Group::text_attribute(const std::string& name) const {
   return text.data();
 }
 
-Hdf5File::Hdf5File(const Handle& file, const std::string& path)
-    : Hdf5Group(file, file, path + ":/") {}
+Hdf5File::Hdf5File(const Handle& file, const std::string& path, bool is_sealed)
+    : Hdf5Group(file, file, path + ":/"), is_sealed_(is_sealed) {}
 
 namespace {
 
-/// What is damaged is not for HDF5 to take apart, which need not survive it.
-void insist_on_seal(const std::string& path, Seal seal) {
+/// Whether there is a seal. What is damaged is not for HDF5 to take apart, which need not survive
+/// it.
+bool insist_on_seal(const std::string& path, Seal seal) {
   const SealState found = check_seal(path);
   if (found == SealState::broken)
     throw InputError(path +
@@ -394,6 +391,7 @@ void insist_on_seal(const std::string& path, Seal seal) {
         path +
         ": has no seal at its end: it is cut short, was changed by another program, or "
         "is of an earlier version of solidem");
+  return found == SealState::holds;
 }
 
 }  // namespace
@@ -404,21 +402,14 @@ Hdf5File Hdf5File::open(const std::string& path, Seal seal) {
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
   if (std::filesystem::is_directory(path, error))
     throw InputError(path + ": is a directory, expected an HDF5 file");
-  insist_on_seal(path, seal);
+  const bool is_sealed = insist_on_seal(path, seal);
   const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, without_locks()), H5Fclose);
-  if (*file >= 0) return {file, path};
+  if (*file >= 0) return {file, path, is_sealed};
   const std::string why = reason();
   if (why.find("truncated") != std::string::npos)
     throw InputError(path + ": the file is cut short (" + why + "); copy or write it again");
   if (why.find("signature") != std::string::npos) throw InputError(path + ": is no HDF5 file");
   throw InputError(path + ": cannot be opened (" + why + ")");
-}
-
-Hdf5File Hdf5File::open_for_writing(const std::string& path) {
-  prepare_library();
-  const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, without_locks()), H5Fclose);
-  if (*file < 0) throw RunError("cannot open " + path + " to change it: " + reason());
-  return {file, path};
 }
 
 Hdf5File Hdf5File::in_memory(const std::string& path) {

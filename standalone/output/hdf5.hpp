@@ -35,9 +35,6 @@ class Hdf5Group {
   Hdf5Group group(const std::string& name) const;
   Hdf5Group make_group(const std::string& name) const;
 
-  /// Removes a dataset or a group.
-  void remove(const std::string& name) const;
-
   /// Makes a link to an object of another file, named as seen from the folder of this one.
   void link(const std::string& name, const std::string& file, const std::string& object) const;
 
@@ -106,10 +103,11 @@ class Hdf5File : public Hdf5Group {
   /// To read; throws InputError, also where the file has a seal that does not hold. With
   /// Seal::present, it must have one.
   static Hdf5File open(const std::string& path, Seal seal = Seal::absent);
-  /// To change what is in a file on the disk; throws RunError.
-  static Hdf5File open_for_writing(const std::string& path);
   /// A new file in memory; `path` is for messages. Throws RunError.
   static Hdf5File in_memory(const std::string& path);
+
+  /// Whether the file that was opened ends with a seal; it then holds.
+  bool is_sealed() const { return is_sealed_; }
 
   /// The bytes of a file in memory as they would stand on the disk. They change with the file.
   std::string_view image() const;
@@ -118,7 +116,9 @@ class Hdf5File : public Hdf5Group {
   void close();
 
  private:
-  Hdf5File(const Handle& file, const std::string& path);
+  Hdf5File(const Handle& file, const std::string& path, bool is_sealed = false);
+
+  bool is_sealed_;
 };
 
 /// Writes an HDF5 file whole or not at all, as replace_file does: `fill` makes what is in it.

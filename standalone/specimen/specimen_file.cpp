@@ -10,7 +10,6 @@
 #include "output/hdf5.hpp"
 #include "output/read_file.hpp"
 #include "output/replace_file.hpp"
-#include "output/seal.hpp"
 #include "specimen/body_lines.hpp"
 #include "specimen/cut_cells.hpp"
 #include "specimen/report.hpp"
@@ -154,7 +153,6 @@ Domain read_domain(const Hdf5Group& domain) {
 
 Specimen read_hdf5(const std::string& path) {
   const Hdf5File file = Hdf5File::open(path);
-  const bool has_seal = check_seal(path) == SealState::holds;
   check_format(file, path);
   Specimen specimen;
   const Hdf5Group elements = file.group("elements");
@@ -201,7 +199,8 @@ Specimen read_hdf5(const std::string& path) {
   check_specimen(specimen, path);
   // Earlier versions wrote no seal, and took bare spheres for the box around them.
   Domain& body = specimen.domain;
-  if (!has_seal && body.shape == "imported" && body.volume == volume_of(body)) body.volume = 0;
+  if (!file.is_sealed() && body.shape == "imported" && body.volume == volume_of(body))
+    body.volume = 0;
   return specimen;
 }
 

@@ -8,7 +8,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "model/error.hpp"
@@ -52,6 +54,46 @@ const Specimen& small_packing() {
     return made;
   }();
   return specimen;
+}
+
+void copy_attributes(const Hdf5Group& from, const Hdf5Group& to) {
+  for (const std::string& name : from.attribute_names()) try {
+      to.set_attribute(name, from.text_attribute(name));
+    } catch (const InputError&) {
+      to.set_attribute(name, from.numbers_attribute(name));
+    }
+}
+
+/// Copies all of a group but the objects of some paths.
+void copy_group(const Hdf5Group& from, const Hdf5Group& to, const std::set<std::string>& without,
+                const std::string& above = "") {
+  copy_attributes(from, to);
+  for (const std::string& name : from.names()) {
+    const std::string place = above + name;
+    if (without.count(place) > 0) continue;
+    std::vector<std::size_t> shape;
+    try {
+      shape = from.shape(name);
+    } catch (const InputError&) {  // no dataset
+      copy_group(from.group(name), to.make_group(name), without, place + "/");
+      continue;
+    }
+    const std::size_t columns = shape.size() > 1 ? shape[1] : 0;
+    to.write(name, from.read<double>(name, shape.at(0), columns).data(), shape);
+    copy_attributes(from.object(name), to.object(name));
+  }
+}
+
+/// What another program might make of a specimen: the small packing without some objects, and with
+/// others.
+void write_changed(const std::string& path, const std::set<std::string>& without,
+                   const std::function<void(const Hdf5File&)>& change) {
+  write_specimen(path, small_packing());
+  const Hdf5File sealed = Hdf5File::open(path);
+  replace_hdf5_file(path, [&](const Hdf5File& file) {
+    copy_group(sealed, file, without);
+    change(file);
+  });
 }
 
 // Bit for bit.
@@ -227,10 +269,16 @@ TEST_F(SpecimenFile, FilesWithoutSealAreRead) {
   EXPECT_GT(read.contact_margin, 1e-8);  // single precision
 }
 
-TEST_F(SpecimenFile, WhoChangesAFileOnPurposeTakesItsSealAway) {
+TEST_F(SpecimenFile, AFileTellsWhetherItIsSealed) {
   write_specimen(path("a.h5"), small_packing());
-  Hdf5File::open_for_writing(path("a.h5")).group("domain").set_attribute("volume", 1e-9);
-  EXPECT_EQ(read_specimen(path("a.h5")).domain.volume, 1e-9);
+  EXPECT_TRUE(Hdf5File::open(path("a.h5")).is_sealed());
+  write_changed(path("b.h5"), {},
+                [](const Hdf5File& f) { f.group("domain").set_attribute("volume", 1e-9); });
+  EXPECT_FALSE(Hdf5File::open(path("b.h5")).is_sealed());
+  const Specimen changed = read_specimen(path("b.h5"));
+  EXPECT_EQ(changed.domain.volume, 1e-9);
+  expect_same_spheres(changed, small_packing());
+  EXPECT_EQ(changed.bonds, small_packing().bonds);
 }
 
 TEST_F(SpecimenFile, AByteOrderMarkIsNoPartOfTheText) {
@@ -242,73 +290,62 @@ TEST_F(SpecimenFile, OtherHdf5Files) {
   replace_hdf5_file(path("other.h5"),
                     [](const Hdf5File& file) { file.set_attribute("format", "weather"); });
   expect_input_error([&] { read_specimen(path("other.h5")); }, {"no solidem specimen", "weather"});
-  write_specimen(path("future.h5"), small_packing());
-  Hdf5File::open_for_writing(path("future.h5")).set_attribute("version", 7);
+  write_changed(path("future.h5"), {}, [](const Hdf5File& f) { f.set_attribute("version", 7); });
   expect_input_error([&] { read_specimen(path("future.h5")); }, {"version 7", "version 1"});
 }
 
 TEST_F(SpecimenFile, MissingAndMisshapenData) {
-  const auto damaged = [&](const char* name, auto damage) {
-    write_specimen(path(name), small_packing());
-    damage(Hdf5File::open_for_writing(path(name)));
-    return path(name);
-  };
   const std::vector<double> numbers(200, 1.0);
-  const std::string no_radius =
-      damaged("1.h5", [](const Hdf5File& f) { f.remove("elements/radius"); });
-  expect_input_error([&] { read_specimen(no_radius); }, {"radius", "missing"});
-  const std::string flat = damaged("2.h5", [&](const Hdf5File& f) {
-    f.remove("elements/position");
+  const auto nothing = [](const Hdf5File&) {};
+  const auto read = [&] { read_specimen(path("bad.h5")); };
+  write_changed(path("bad.h5"), {"elements/radius"}, nothing);
+  expect_input_error(read, {"radius", "missing"});
+  write_changed(path("bad.h5"), {"elements/position"}, [&](const Hdf5File& f) {
     f.write("elements/position", numbers.data(), {100, 2});
   });
-  expect_input_error([&] { read_specimen(flat); }, {"position", "(100, 2)", "3"});
-  const std::string fewer = damaged("3.h5", [&](const Hdf5File& f) {
-    f.remove("elements/radius");
-    f.write("elements/radius", numbers.data(), {150});
-  });
-  expect_input_error([&] { read_specimen(fewer); }, {"radius", "(150)", "200"});
-  const std::string bodiless = damaged("4.h5", [](const Hdf5File& f) { f.remove("domain"); });
-  expect_input_error([&] { read_specimen(bodiless); }, {"domain", "missing"});
+  expect_input_error(read, {"position", "(100, 2)", "3"});
+  write_changed(path("bad.h5"), {"elements/radius"},
+                [&](const Hdf5File& f) { f.write("elements/radius", numbers.data(), {150}); });
+  expect_input_error(read, {"radius", "(150)", "200"});
+  write_changed(path("bad.h5"), {"domain"}, nothing);
+  expect_input_error(read, {"domain", "missing"});
 }
 
 TEST_F(SpecimenFile, ImpossibleValuesAreNamed) {
-  const auto with = [&](auto change) {
-    write_specimen(path("bad.h5"), small_packing());
-    const Hdf5File file = Hdf5File::open_for_writing(path("bad.h5"));
-    change(file);
+  const auto with = [&](auto change) { write_changed(path("bad.h5"), {}, change); };
+  const auto with_other = [&](const std::string& name, const std::vector<double>& values,
+                              const std::vector<std::size_t>& shape) {
+    write_changed(path("bad.h5"), {name},
+                  [&](const Hdf5File& f) { f.write(name, values.data(), shape); });
   };
-  const auto replace = [](const Hdf5File& file, const char* name, std::vector<double> values,
-                          std::vector<std::size_t> shape) {
-    file.remove(name);
-    file.write(name, values.data(), shape);
-  };
-  const auto replace_bonds = [](const Hdf5File& file, std::vector<std::int32_t> values) {
-    file.remove("bonds/pairs");
-    file.write("bonds/pairs", values.data(), {values.size() / 2, 2});
+  const auto with_bonds = [&](const std::vector<std::int32_t>& values) {
+    write_changed(path("bad.h5"), {"bonds/pairs"}, [&](const Hdf5File& f) {
+      f.write("bonds/pairs", values.data(), {values.size() / 2, 2});
+    });
   };
   const auto read = [&] { read_specimen(path("bad.h5")); };
 
   std::vector<double> radius = small_packing().radius;
   radius[17] = -0.25;
-  with([&](const Hdf5File& f) { replace(f, "elements/radius", radius, {200}); });
+  with_other("elements/radius", radius, {200});
   expect_input_error(read, {"bad.h5", "element 17", "-0.25"});
   radius[17] = std::numeric_limits<double>::quiet_NaN();
-  with([&](const Hdf5File& f) { replace(f, "elements/radius", radius, {200}); });
+  with_other("elements/radius", radius, {200});
   expect_input_error(read, {"element 17", "nan"});
   std::vector<double> position(600, 0.0);
   position[3 * 42 + 1] = std::numeric_limits<double>::infinity();
-  with([&](const Hdf5File& f) { replace(f, "elements/position", position, {200, 3}); });
+  with_other("elements/position", position, {200, 3});
   expect_input_error(read, {"element 42", "inf"});
 
-  with([&](const Hdf5File& f) { replace_bonds(f, {0, 1, 3, 200}); });
+  with_bonds({0, 1, 3, 200});
   expect_input_error(read, {"bond 1", "3 and 200", "< 200"});
-  with([&](const Hdf5File& f) { replace_bonds(f, {-1, 1}); });
+  with_bonds({-1, 1});
   expect_input_error(read, {"bond 0", "-1"});
-  with([&](const Hdf5File& f) { replace_bonds(f, {4, 4}); });
+  with_bonds({4, 4});
   expect_input_error(read, {"bond 0", "4 and 4"});
-  with([&](const Hdf5File& f) { replace_bonds(f, {0, 1, 2, 3, 2, 3}); });
+  with_bonds({0, 1, 2, 3, 2, 3});
   expect_input_error(read, {"2 and 3", "twice"});
-  with([&](const Hdf5File& f) { replace_bonds(f, {2, 3, 0, 1}); });
+  with_bonds({2, 3, 0, 1});
   expect_input_error(read, {"bond 1", "rising order"});
 
   with([](const Hdf5File& f) { f.group("domain").set_attribute("volume", -1.0); });
