@@ -112,41 +112,49 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
     for (std::size_t i = 0; i < specimen.size(); ++i)
       set_lanes_vector(model.data(columns::listed_position), Model::at(columns::listed_position, i),
                        specimen.position[i]);
-  if (specimen.domain.is_periodic()) count_own_images(specimen.domain);
+  if (specimen.domain.is_periodic()) count_own_images();
   fill_slots();
 }
 
-void CentralForces::count_own_images(const Domain& domain) {
-  const std::vector<double>& radius = model_.specimen().radius;
-  std::array<double, 3> period{};
-  for (int axis = 0; axis < 3; ++axis)
-    period[axis] = domain.periodic[axis] ? component(domain.upper - domain.lower, axis) : 0;
-  const double reach = 2 * parameters_.range * *std::max_element(radius.begin(), radius.end());
-  const auto most = [&](int axis) {
-    return period[axis] > 0 ? static_cast<int>(reach / period[axis]) : 0;
-  };
-  own_images_.assign(radius.size(), {});
-  for (int a = -most(0); a <= most(0); ++a)
-    for (int b = -most(1); b <= most(1); ++b)
-      for (int c = -most(2); c <= most(2); ++c) {
-        const double distance = norm(Vector{a * period[0], b * period[1], c * period[2]});
-        if (!(distance > 0)) continue;
-        for (std::size_t i = 0; i < radius.size(); ++i) add_own_image(i, distance);
-      }
+void CentralForces::count_own_images() {
+  own_images_.assign(model_.elements(), {});
+  for_each_own_image([&](std::size_t i, const Vector& chord, double equilibrium) {
+    const double range = 2 * parameters_.range * model_.specimen().radius[i];
+    own_images_[i].pairs += 1;
+    own_images_[i].potential += std::visit(
+        [&](const auto& law) {
+          return central_potential(law, parameters_.interpenetration, range, norm(chord),
+                                   equilibrium);
+        },
+        parameters_.law);
+  });
 }
 
-void CentralForces::add_own_image(std::size_t i, double distance) {
-  const double radii = 2 * model_.specimen().radius[i];
-  if (!(distance < parameters_.range * radii)) return;
-  const double equilibrium = are_remembered(parameters_) ? distance : radii;
-  own_images_[i].pairs += 0.5;
-  own_images_[i].potential +=
-      0.5 * std::visit(
-                [&](const auto& law) {
-                  return central_potential(law, parameters_.interpenetration,
-                                           parameters_.range * radii, distance, equilibrium);
-                },
-                parameters_.law);
+void CentralForces::for_each_own_image(const OwnImageVisit& visit) const {
+  const Domain& domain = model_.specimen().domain;
+  const std::vector<double>& radius = model_.specimen().radius;
+  const double reach = 2 * parameters_.range * *std::max_element(radius.begin(), radius.end());
+  std::array<double, 3> period{};
+  std::array<int, 3> most{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!domain.periodic[axis]) continue;
+    period[axis] = component(domain.upper - domain.lower, static_cast<int>(axis));
+    most[axis] = static_cast<int>(reach / period[axis]);
+  }
+  // Of an image and the one on the other side, which make the same pair, the first.
+  const auto is_counted = [](int a, int b, int c) {
+    return a != 0 ? a > 0 : b != 0 ? b > 0 : c > 0;
+  };
+  for (int a = 0; a <= most[0]; ++a)
+    for (int b = -most[1]; b <= most[1]; ++b)
+      for (int c = -most[2]; c <= most[2]; ++c) {
+        if (!is_counted(a, b, c)) continue;
+        const Vector chord{a * period[0], b * period[1], c * period[2]};
+        const double distance = norm(chord);
+        for (std::size_t i = 0; i < radius.size(); ++i)
+          if (distance < parameters_.range * 2 * radius[i])
+            visit(i, chord, are_remembered(parameters_) ? distance : 2 * radius[i]);
+      }
 }
 
 void CentralForces::fill_slots() {
@@ -436,8 +444,24 @@ std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, s
 void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) const {
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
     if (i > j) return;
-    if (const auto pair = acting(model, i, j, row, lane))
-      visit(i, j, (-pair->push / pair->distance) * pair->chord);
+    const auto pair = acting(model, i, j, row, lane);
+    if (!pair) return;
+    const auto moved = [&](std::int32_t e) {
+      return row_vector(model.data(columns::position) + std::ptrdiff_t{4} * e) -
+             model.specimen().position[static_cast<std::size_t>(e)];
+    };
+    visit(i, pair->chord - (moved(j) - moved(i)), (-pair->push / pair->distance) * pair->chord);
+  });
+  if (own_images_.empty()) return;
+  for_each_own_image([&](std::size_t i, const Vector& chord, double equilibrium) {
+    if (!absent_.empty() && absent_[i] != 0) return;
+    const double distance = norm(chord);
+    const double push = std::visit(
+        [&](const auto& law) {
+          return central_force(law, parameters_.interpenetration, distance, equilibrium).force;
+        },
+        parameters_.law);
+    visit(static_cast<std::int32_t>(i), chord, (-push / distance) * chord);
   });
 }
 

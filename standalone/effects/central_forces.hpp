@@ -2,6 +2,7 @@
 #ifndef SOLIDEM_EFFECTS_CENTRAL_FORCES_HPP
 #define SOLIDEM_EFFECTS_CENTRAL_FORCES_HPP
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -91,8 +92,11 @@ class CentralForces : public Mechanics {
   struct OwnImages {
     double pairs = 0, potential = 0;
   };
-  void count_own_images(const Domain& domain);
-  void add_own_image(std::size_t i, double distance);
+  void count_own_images();
+  /// Calls visit(i, chord, equilibrium distance) for each pair of an element and an image of it
+  /// within the range.
+  using OwnImageVisit = std::function<void(std::size_t, const Vector&, double)>;
+  void for_each_own_image(const OwnImageVisit& visit) const;
   /// Lays out the slots for the elements as they were listed.
   void fill_slots();
   void search();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "effects/gauge_check.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "effects/selections.hpp"
@@ -10,10 +12,6 @@ namespace solidem {
 
 void check_gauge(const Gauge& gauge, const Domain& domain) {
   const std::string axis(1, "xyz"[gauge.axis]);
-  if (domain.periodic[gauge.axis])
-    throw InputError("[gauge] axis = \"" + axis + "\": the body is periodic along " + axis +
-                     ", so that forces pass from one end to the other; expected an axis along "
-                     "which it ends");
   if (domain.cuts > 0 || domain.is_sphere() || domain.shape == "mesh" || domain.shape == "bodies")
     throw InputError(
         "[gauge]: a gauge divides forces by the section of the body, which has not one "
@@ -27,6 +25,20 @@ void check_gauge(const Gauge& gauge, const Domain& domain) {
     throw InputError("[gauge] lower = " + text(gauge.lower) + " m, upper = " + text(gauge.upper) +
                      " m: reaches beyond the body, whose mean stress it would dilute; expected " +
                      text(low) + " m or more and " + text(high) + " m or less along " + axis);
+}
+
+double length_inside(const Gauge& gauge, const Domain& domain, double from, double along) {
+  const double low = std::min(from, from + along), high = std::max(from, from + along);
+  const auto inside = [&](double shift) {
+    return std::max(0.0, std::min(high + shift, gauge.upper) - std::max(low + shift, gauge.lower));
+  };
+  if (!domain.periodic[static_cast<std::size_t>(gauge.axis)]) return inside(0);
+  const double period = component(domain.upper - domain.lower, gauge.axis);
+  double length = 0;
+  const double last = std::ceil((gauge.upper - low) / period);
+  for (double image = std::floor((gauge.lower - high) / period); image <= last; ++image)
+    length += inside(image * period);
+  return length;
 }
 
 }  // namespace solidem

@@ -8,8 +8,13 @@
 namespace solidem {
 
 /// Refuses a gauge section whose mean stress would not be that of the body: one that reaches beyond
-/// it, or along an axis on which the body is periodic.
+/// it.
 void check_gauge(const Gauge& gauge, const Domain& domain);
+
+/// How much lies in the section of a line that goes from a place as far along the axis, m, with all
+/// its images where the body is periodic along it. A force times this, summed over lines and
+/// divided by the section's length, is the mean force across its planes.
+double length_inside(const Gauge& gauge, const Domain& domain, double from, double along);
 
 }  // namespace solidem
 

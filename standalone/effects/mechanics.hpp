@@ -37,8 +37,10 @@ class Mechanics : public Effect {
   /// Whether the forces can give more to motion than was put in: elements attract each other.
   virtual bool releases_energy() const { return false; }
 
-  /// Calls visit(i, j, force on i) once for each pair that acts.
-  using PairVisit = std::function<void(std::int32_t, std::int32_t, const Vector&)>;
+  /// Calls visit(i, chord, force on i) once for each pair that acts; the chord goes at rest from
+  /// the centre of i to that of the other, or to the very image of it that acts, m. An element and
+  /// its own image are a pair.
+  using PairVisit = std::function<void(std::int32_t, const Vector&, const Vector&)>;
   virtual void for_each_pair(const Model& model, const PairVisit& visit) const = 0;
 
   /// Makes the new poses those that hold, once all that moves elements has acted.

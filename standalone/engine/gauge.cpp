@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/gauge.hpp"
 
-#include <algorithm>
 #include <string>
 
 #include "effects/gauge_check.hpp"
@@ -42,14 +41,10 @@ Vector GaugeSection::strains(const Model& model) const {
 void GaugeSection::observe(const Model& model, Observation& observation) const {
   const Specimen& specimen = model.specimen();
   double tension = 0;  // force times length along the axis
-  mechanics_.for_each_pair(model, [&](std::int32_t i, std::int32_t j, const Vector& force) {
+  mechanics_.for_each_pair(model, [&](std::int32_t i, const Vector& chord, const Vector& force) {
     const double from = component(specimen.position[static_cast<std::size_t>(i)], gauge_.axis);
-    const double along = component(rest_chord(specimen, {i, j}), gauge_.axis);
-    const double low = std::max(std::min(from, from + along), gauge_.lower);
-    const double high = std::min(std::max(from, from + along), gauge_.upper);
-    if (high <= low) return;
-    const double pull = component(force, gauge_.axis);
-    tension += (along > 0 ? pull : -pull) * (high - low);
+    const double along = component(chord, gauge_.axis), pull = component(force, gauge_.axis);
+    tension += (along > 0 ? pull : -pull) * length_inside(gauge_, specimen.domain, from, along);
   });
   const double stress = tension / (gauge_.upper - gauge_.lower) / cross_section_;
   const Vector strain = strains(model);

@@ -18,8 +18,7 @@ namespace solidem {
 class GaugeSection : public Observer {
  public:
   /// `component`: elements of the largest bonded component. Throws InputError when fewer than 10 of
-  /// them lie in the section, when it reaches beyond the body, or when the body is periodic along
-  /// its axis.
+  /// them lie in the section, or when it reaches beyond the body.
   GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& component,
                const Mechanics& mechanics, const Model& model);
   void observe(const Model& model, Observation& observation) const override;

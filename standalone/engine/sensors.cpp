@@ -7,6 +7,7 @@
 
 #include "effects/selections.hpp"
 #include "model/error.hpp"
+#include "model/periodic_image.hpp"
 
 namespace solidem {
 
@@ -23,11 +24,15 @@ std::vector<std::int32_t> conducting_elements(const Model& model) {
   return conducting.empty() ? all : conducting;
 }
 
+/// From a point to an element, or to the nearest image of it.
+Vector way_to(const Specimen& specimen, std::int32_t element, const Vector& point) {
+  return to_nearest_image(specimen.domain,
+                          specimen.position[static_cast<std::size_t>(element)] - point);
+}
+
 std::int32_t nearest_of(const std::vector<std::int32_t>& elements, const Specimen& specimen,
                         const Vector& point) {
-  const auto distance = [&](std::int32_t e) {
-    return norm(specimen.position[static_cast<std::size_t>(e)] - point);
-  };
+  const auto distance = [&](std::int32_t e) { return norm(way_to(specimen, e, point)); };
   return *std::min_element(elements.begin(), elements.end(), [&](std::int32_t a, std::int32_t b) {
     return distance(a) < distance(b);
   });
@@ -38,7 +43,8 @@ void check_point(const Sensor& sensor, const Specimen& specimen) {
   constexpr double far = 3;  // mean radii from the nearest surface: wider than any gap in a packing
   double gap = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < specimen.size(); ++i)
-    gap = std::min(gap, norm(specimen.position[i] - sensor.point) - specimen.radius[i]);
+    gap = std::min(gap, norm(way_to(specimen, static_cast<std::int32_t>(i), sensor.point)) -
+                            specimen.radius[i]);
   if (gap <= far * mean_radius(specimen)) return;
   const Vector& p = sensor.point;
   throw InputError("[[sensors]] \"" + sensor.name + "\": point (" + text(p.x) + ", " + text(p.y) +
@@ -58,7 +64,7 @@ std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
   while (true) {
     round.clear();
     for (const std::int32_t e : elements) {
-      const double distance = norm(specimen.position[static_cast<std::size_t>(e)] - point);
+      const double distance = norm(way_to(specimen, e, point));
       if (distance < reach) round.push_back({e, distance});
     }
     if (round.size() >= std::min(enough, elements.size())) break;
@@ -69,8 +75,7 @@ std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
   Eigen::VectorXd weight(rows);
   for (Eigen::Index k = 0; k < rows; ++k) {
     const ElementValue& element = round[static_cast<std::size_t>(k)];
-    const Vector d =
-        (1 / reach) * (specimen.position[static_cast<std::size_t>(element.element)] - point);
+    const Vector d = (1 / reach) * way_to(specimen, element.element, point);
     weight[k] = 1 - dot(d, d);  // the root of the usual weight (1 − d²)²
     linear.row(k) = weight[k] * Eigen::RowVector4d(1, d.x, d.y, d.z);
   }

@@ -2,6 +2,7 @@
 #include "model/region.hpp"
 
 #include "model/error.hpp"
+#include "model/periodic_image.hpp"
 
 namespace solidem {
 
@@ -82,7 +83,7 @@ std::int32_t nearest_element(const Specimen& specimen, const Vector& point) {
   std::int32_t best = 0;
   double least = Region::infinity;
   for (std::size_t i = 0; i < specimen.size(); ++i) {
-    const Vector d = specimen.position[i] - point;
+    const Vector d = to_nearest_image(specimen.domain, specimen.position[i] - point);
     if (dot(d, d) < least) {
       least = dot(d, d);
       best = static_cast<std::int32_t>(i);

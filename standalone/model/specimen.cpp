@@ -5,14 +5,11 @@
 #include <numeric>
 
 #include "laws/constants.hpp"
+#include "model/periodic_image.hpp"
 
 namespace solidem {
 
 namespace {
-
-double nearest_image(double difference, double extent, bool periodic) {
-  return periodic ? difference - extent * std::nearbyint(difference / extent) : difference;
-}
 
 double volume_of_sphere(double radius) {
   return 4.0 / 3.0 * pi * radius * radius * radius;
@@ -57,12 +54,7 @@ Vector Domain::second_transverse() const {
 }
 
 Vector rest_chord(const Specimen& specimen, Pair pair) {
-  const Domain& domain = specimen.domain;
-  const Vector extent = domain.upper - domain.lower;
-  const Vector d = specimen.position[pair.j] - specimen.position[pair.i];
-  return {nearest_image(d.x, extent.x, domain.periodic[0]),
-          nearest_image(d.y, extent.y, domain.periodic[1]),
-          nearest_image(d.z, extent.z, domain.periodic[2])};
+  return to_nearest_image(specimen.domain, specimen.position[pair.j] - specimen.position[pair.i]);
 }
 
 double sphere_volume(const Specimen& specimen) {

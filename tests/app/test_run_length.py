@@ -157,8 +157,6 @@ def test_temperatures_below_absolute_zero_end_a_run(solidem):
     ('point = ["1 mm", "0 mm", "0 mm"]', 'point = ["1 m", "0 mm", "0 mm"]',
      ['[[sensors]] "A"', "away from the nearest element", "expected a point of the body"]),
     ('lower = "0.4 mm"', 'lower = "-10 mm"', ["[gauge]", "reaches beyond the body", "0 m or more"]),
-    ('cells = [8, 4, 4]', 'cells = [8, 4, 4]\nperiodic = [true, false, false]',
-     ["[gauge]", "periodic along x"]),
 ])
 def test_what_would_be_measured_wrongly_is_refused(solidem, bar, old, new, words):
     done = solidem("run", solidem.scene("bar.toml", bar.replace(old, new)), "-o", "out")

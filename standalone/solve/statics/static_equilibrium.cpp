@@ -100,11 +100,8 @@ GaugeMeasure measure_gauge(const BeamNetwork& network, const Equilibrium& equili
     bonded[static_cast<std::size_t>(pair.i)] = bonded[static_cast<std::size_t>(pair.j)] = 1;
     const double from = place(pair.i, gauge.axis);
     const double along = component(rest_chord(specimen, pair), gauge.axis);
-    const double low = std::max(std::min(from, from + along), gauge.lower);
-    const double high = std::min(std::max(from, from + along), gauge.upper);
-    if (high <= low) continue;
     const double pull = component(equilibrium.bond_force[b], gauge.axis);
-    tension += (along > 0 ? pull : -pull) * (high - low);
+    tension += (along > 0 ? pull : -pull) * length_inside(gauge, specimen.domain, from, along);
   }
   std::vector<std::int32_t> elements;
   for (std::size_t e = 0; e < specimen.size(); ++e) {
