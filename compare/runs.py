@@ -125,7 +125,8 @@ class CaseRuns:
                                       f'[specimen]\nfile = "{specimen}"\n\n'))
         prepared, timeout = folder / "prepared.h5", self.case.timeout
         standalone.call(["prepare", scene, "--output", prepared], folder / "prepare", timeout)
-        explained = standalone.call(["explain", scene, "--json"], folder / "explain", timeout)
+        explained = standalone.call(["explain", scene, "--json", "--quick"], folder / "explain",
+                                    timeout)
         meaning = json.loads(explained.read_text())
         parameters = parse_parameters(meaning)
         controls = tomllib.loads(text)

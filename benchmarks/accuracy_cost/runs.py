@@ -203,8 +203,8 @@ class Bench:
             probe = STEP_OF_LIMIT.sub("time_step_ratio = 0.1", text)
             if probe not in self._limits:
                 scene.write_text(probe)
-                told = self._standalone.call(["explain", scene, "--json"], self._work / "limit",
-                                             timeout)
+                told = self._standalone.call(["explain", scene, "--json", "--quick"],
+                                             self._work / "limit", timeout)
                 self._limits[probe] = float(json.loads(told.read_text())["time_step"]["limit"])
             step = float(fraction.group(1)) * self._limits[probe]
             text = STEP_OF_LIMIT.sub(f'time_step = "{step:.12g} s"', text)
@@ -258,8 +258,8 @@ class Bench:
         prepared = self._work / "prepared.h5"
         self._standalone.call(["prepare", scene, "--output", prepared, "--overwrite"],
                               self._work / "prepare", study.timeout)
-        explained = self._standalone.call(["explain", scene, "--json"], self._work / "explain",
-                                          study.timeout)
+        explained = self._standalone.call(["explain", scene, "--json", "--quick"],
+                                          self._work / "explain", study.timeout)
         parameters = parse_parameters(json.loads(explained.read_text()))
         frames = tomllib.loads(text).get("output", {}).get("frames", 10)
         return Job(scene, prepared, explained, read_specimen(prepared), parameters,

@@ -66,7 +66,7 @@ def prepare(effect: str, standalone: Standalone, folder: Path) -> Job:
                     folder / "specimen", 600)
     scene.write_text(text.replace(recipe, f'[specimen]\nfile = "{specimen}"\n\n'))
     standalone.call(["prepare", scene, "-o", prepared, "--overwrite"], folder / "prepare", 600)
-    explained = standalone.call(["explain", scene, "--json"], folder / "explain", 600)
+    explained = standalone.call(["explain", scene, "--json", "--quick"], folder / "explain", 600)
     parameters = parse_parameters(json.loads(explained.read_text()))
     return Job(scene, prepared, explained, read_specimen(prepared), parameters, 10**6, 10**6, 1800)
 

@@ -18,8 +18,15 @@ struct RunCommand {
 /// `solidem run`; the exit status: 0, or 130 when interrupted.
 int run_scene(const RunCommand& command);
 
-/// `solidem explain`: what acts and why, columns and bytes, time step, expected cost.
-void explain_scene(const std::string& scene, bool json, bool force);
+struct ExplainCommand {
+  std::string scene;
+  bool json = false;
+  bool force = false;  ///< accept a time step beyond the stable limit
+  bool quick = false;  ///< try nothing, foretell nothing
+};
+/// `solidem explain`: what acts and why, columns and bytes, time step; from a trial of the run's
+/// beginning what it will cost, and whether the grips will make the body flow or break.
+void explain_scene(const ExplainCommand& command);
 
 /// `solidem prepare`: the specimen with all that another code needs.
 void prepare_scene(const std::string& scene, const std::string& output, bool overwrite);

@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -17,6 +15,8 @@
 #include "effects/turning_grip.hpp"
 #include "engine/body_figures.hpp"
 #include "engine/heat.hpp"
+#include "engine/run_forecast.hpp"
+#include "model/error.hpp"
 #include "scene/body.hpp"
 #include "solve/heat/heat_integrator.hpp"
 
@@ -112,25 +112,41 @@ Json loads_of(const Setup& setup, Json report) {
   return report;
 }
 
-/// Seconds that one step takes here, from a few steps on this very model: the fastest of some
-/// batches, since the machine may be busy with something else in the others.
-double measured_step(Simulation& simulation) {
-  using Clock = std::chrono::steady_clock;
-  constexpr int steps = 10, most_batches = 50;
-  constexpr double enough = 0.5;  // s
-  simulation.advance(2);
-  double fastest = std::numeric_limits<double>::infinity(), spent = 0;
-  for (int batch = 0; batch < most_batches && spent < enough; ++batch) {
-    const auto start = Clock::now();
-    simulation.advance(steps);
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    fastest = std::min(fastest, seconds / steps);
-    spent += seconds;
-  }
-  return fastest;
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json report_of(const Scene& scene, Simulation& simulation) {
+/// What the run will take and what the grips will do, from a trial of its beginning.
+Json forecast_of(Simulation& simulation, double preparation) {
+  const RunControl& run = simulation.setup().run;
+  const double duration = run.duration.value_or(static_cast<double>(simulation.steps_to_run()) *
+                                                simulation.time_step().value);
+  const StrainForecast strain = foretell_strain(simulation, duration);
+  Json forecast;
+  if (!strain.sayings.empty())
+    forecast["strain"] = {{"largest", strain.strain.size},
+                          {"yield", number_or_null(strain.limits.yield)},
+                          {"rupture", number_or_null(strain.limits.rupture)},
+                          {"flowing_share", strain.flowing_share}};
+  forecast["sayings"] = strain.sayings;
+  try {
+    const RunForecast cost = foretell_run(simulation, strain);
+    forecast["seconds_per_step"] = cost.costs.step;
+    forecast["seconds_per_flowing_step"] = cost.flowing_step;
+    forecast["rows"] = cost.counts.rows;
+    forecast["frames"] = cost.counts.frames;
+    forecast["seconds"] = {{"preparation", preparation},
+                           {"steps", cost.steps()},
+                           {"observation", cost.rows()},
+                           {"output", cost.files()},
+                           {"total", preparation + cost.total()}};
+  } catch (const RunError& error) {
+    forecast["problem"] = error.what();
+  }
+  return forecast;
+}
+
+Json report_of(const Scene& scene, const Simulation& simulation) {
   const Model& model = simulation.model();
   const Plan& plan = simulation.plan();
   const TimeStepChoice& dt = simulation.time_step();
@@ -164,7 +180,6 @@ Json report_of(const Scene& scene, Simulation& simulation) {
                          {"criterion", dt.criterion},
                          {"ratio", dt.ratio}};
   report["steps"] = simulation.steps_to_run();
-  report["seconds_per_step"] = measured_step(simulation);
   report["threads"] = omp_get_max_threads();
   report["instruction_set"] = kernels().instruction_set;
   report["laws"] = laws_of(simulation);
@@ -172,6 +187,30 @@ Json report_of(const Scene& scene, Simulation& simulation) {
   if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
     report["integration"] = heat->integrator()->explanation();
   return heat_loads_of(simulation, loads_of(simulation.setup(), std::move(report)));
+}
+
+void print_cost(const Json& report, const Json& forecast) {
+  const auto step = forecast["seconds_per_step"].get<double>(),
+             flowing = forecast["seconds_per_flowing_step"].get<double>();
+  say("Cost, tried here on {} thread(s), {}: {:.3g} ms a step, {:.3g} ns a bond-step{}\n",
+      report["threads"].get<int>(), report["instruction_set"].get<std::string>(), step * 1e3,
+      step * 1e9 / report["bonds"].get<double>(),
+      flowing > step ? fmt::format("; {:.3g} ms while bonds flow", flowing * 1e3) : "");
+  if (report["steps"].get<long>() == 0) return;
+  const auto seconds = [&](const char* of) { return forecast["seconds"][of].get<double>(); };
+  say("The run: about {:.2g} s, of which {:.2g} s before the first step, {:.2g} s for the steps, "
+      "{:.2g} s for {} rows of the history, {:.2g} s for {} frames and other files\n",
+      seconds("total"), seconds("preparation"), seconds("steps"), seconds("observation"),
+      forecast["rows"].get<long>(), seconds("output"), forecast["frames"].get<long>());
+}
+
+void print_forecast(const Json& report) {
+  const Json& forecast = report["forecast"];
+  if (forecast.contains("problem"))
+    say("Its beginning, tried here: {}\n", forecast["problem"].get<std::string>());
+  else
+    print_cost(report, forecast);
+  for (const Json& saying : forecast["sayings"]) say("foretold: {}\n", saying.get<std::string>());
 }
 
 void print(const Json& report) {
@@ -197,7 +236,6 @@ void print(const Json& report) {
       report["bytes"].get<double>() / 1e6);
 
   const Json& dt = report["time_step"];
-  const auto step = report["seconds_per_step"].get<double>();
   const std::string limit = dt["limit"].is_number() && std::isfinite(dt["limit"].get<double>())
                                 ? fmt::format("stable up to {:.5g} s", dt["limit"].get<double>())
                                 : "stable at any length";
@@ -211,22 +249,23 @@ void print(const Json& report) {
   }
   if (report.contains("integration"))
     say("Heat in time: {}\n", report["integration"].get<std::string>());
-  say("Cost, measured here on {} thread(s), {}: {:.3g} ms a step, {:.3g} ns a bond-step\n",
-      report["threads"].get<int>(), report["instruction_set"].get<std::string>(), step * 1e3,
-      step * 1e9 / bonds);
-  say("{} elements, {} bonds, {} steps: about {:.3g} s\n", report["elements"].get<long>(),
-      report["bonds"].get<long>(), report["steps"].get<long>(),
-      step * report["steps"].get<double>());
+  say("{} elements, {} bonds, {} steps\n", report["elements"].get<long>(),
+      report["bonds"].get<long>(), report["steps"].get<long>());
+  if (report.contains("forecast")) print_forecast(report);
   print_notes(report["notes"].get<std::vector<std::string>>());
 }
 
 }  // namespace
 
-void explain_scene(const std::string& path, bool json, bool force) {
-  const Scene scene = read_scene(path);
-  Simulation simulation(scene.setup, make_body(scene), force);
-  const Json report = report_of(scene, simulation);
-  if (json)
+void explain_scene(const ExplainCommand& command) {
+  using Clock = std::chrono::steady_clock;
+  const Scene scene = read_scene(command.scene);
+  const auto start = Clock::now();
+  Simulation simulation(scene.setup, make_body(scene), command.force);
+  const double preparation = std::chrono::duration<double>(Clock::now() - start).count();
+  Json report = report_of(scene, simulation);
+  if (!command.quick) report["forecast"] = forecast_of(simulation, preparation);
+  if (command.json)
     say("{}\n", report.dump(2));
   else
     print(report);

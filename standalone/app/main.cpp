@@ -64,13 +64,15 @@ int main(int argc, char** argv) {
   run_app->callback([&] { chosen = [&] { return solidem::run_scene(run); }; });
 
   std::string scene, output, from, to;
-  bool json = false, force = false, overwrite = false;
-  auto* explain = app.add_subcommand("explain", "Say what a scene simulates, and what it costs");
-  explain->add_option("scene", scene, "scene file (TOML)")->required();
-  explain->add_flag("--json", json, "for programs, all in SI units");
-  explain->add_flag("--force", force, "accept a time step beyond the stable limit");
-  explain->callback(
-      [&] { chosen = [&] { return solidem::explain_scene(scene, json, force), 0; }; });
+  bool json = false, overwrite = false;
+  solidem::ExplainCommand explain;
+  auto* explain_app =
+      app.add_subcommand("explain", "Say what a scene simulates, and foretell what it takes");
+  explain_app->add_option("scene", explain.scene, "scene file (TOML)")->required();
+  explain_app->add_flag("--json", explain.json, "for programs, all in SI units");
+  explain_app->add_flag("--quick", explain.quick, "without the trial that foretells cost and flow");
+  explain_app->add_flag("--force", explain.force, "accept a time step beyond the stable limit");
+  explain_app->callback([&] { chosen = [&] { return solidem::explain_scene(explain), 0; }; });
 
   auto* prepare =
       app.add_subcommand("prepare", "Write a scene's specimen with all that another code needs");

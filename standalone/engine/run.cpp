@@ -4,10 +4,12 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -44,6 +46,20 @@ class Stopwatch {
   double& seconds_;
   Clock::time_point start_;
 };
+
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto start = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Of few measurements: one may have been made while the machine did something else.
+template <std::size_t count>
+double median(std::array<double, count> values) {
+  std::sort(values.begin(), values.end());
+  return values[count / 2];
+}
 
 std::vector<std::string> names_of(const HistoryRow& row) {
   std::vector<std::string> names;
@@ -122,14 +138,11 @@ class Recorder {
   }
 
   bool run() {
-    const std::int64_t last = simulation_.steps_to_run();
-    const std::int64_t observe_every =
-        simulation_.setup().run.observe_every.value_or(std::max<std::int64_t>(1, last / 200));
-    const std::int64_t frames = simulation_.setup().output.frames;
+    const RunCounts counts = counts_of(simulation_);
+    const std::int64_t last = counts.steps, frames = simulation_.setup().output.frames;
+    const std::int64_t observe_every = counts.observe_every;
+    const std::int64_t checkpoint_every = counts.checkpoint_every;
     const FrameSteps frame_steps(frames, last);
-    const std::int64_t checkpoint_every = simulation_.setup().output.checkpoint_every > 0
-                                              ? simulation_.setup().output.checkpoint_every
-                                              : last + 1;
     open();
     if (!options_.resume) {
       write_row();
@@ -159,6 +172,40 @@ class Recorder {
     const bool completed = simulation_.step() >= last;
     summarise(completed, completed ? "" : "interrupted");
     return completed;
+  }
+
+  RunCosts try_out() {
+    constexpr double enough = 0.5;  // s
+    constexpr std::size_t few = 5;
+    const bool has_frames = simulation_.setup().output.frames > 0;
+    // A scene that does not say how long to run can be tried for any time.
+    const std::int64_t asked = simulation_.steps_to_run();
+    const std::int64_t last = asked > 0 ? asked : std::numeric_limits<std::int64_t>::max();
+    RunCosts costs;
+    costs.files = seconds_of([&] { open(); });
+    std::array<double, few> row{}, frame{}, checkpoint{};
+    for (std::size_t n = 0; n < few; ++n) {
+      if (simulation_.step() < last) simulation_.advance(1);  // the first ones warm up
+      row[n] = seconds_of([&] { write_row(); });
+      if (has_frames) frame[n] = seconds_of([&] { write_frame(); });
+      checkpoint[n] = seconds_of([&] { write_checkpoint(); });
+    }
+    costs.row = median(row);
+    costs.frame = median(frame);
+    costs.checkpoint = median(checkpoint);
+    std::int64_t taken = 0;
+    const double start = processor_seconds();
+    while (seconds_["steps"] < enough && simulation_.step() < last) {
+      const std::int64_t steps = std::min(stride(), last - simulation_.step());
+      advance(steps);
+      taken += steps;
+    }
+    if (taken > 0) {
+      costs.step = seconds_["steps"] / static_cast<double>(taken);
+      costs.processor_step = (processor_seconds() - start) / static_cast<double>(taken);
+    }
+    costs.files += seconds_of([&] { summarise(true, ""); });
+    return costs;
   }
 
  private:
@@ -389,6 +436,24 @@ class Recorder {
 
 bool run(Simulation& simulation, const RunOptions& options) {
   return Recorder(simulation, options).run();
+}
+
+RunCosts try_run(Simulation& simulation, const RunOptions& options) {
+  return Recorder(simulation, options).try_out();
+}
+
+RunCounts counts_of(const Simulation& simulation) {
+  const RunControl& run = simulation.setup().run;
+  const OutputControl& output = simulation.setup().output;
+  RunCounts counts;
+  counts.steps = simulation.steps_to_run();
+  counts.observe_every = run.observe_every.value_or(std::max<std::int64_t>(1, counts.steps / 200));
+  counts.rows = (counts.steps + counts.observe_every - 1) / counts.observe_every + 1;
+  counts.frames = output.frames > 0 ? std::min(output.frames, counts.steps) + 1 : 0;
+  counts.checkpoint_every =
+      output.checkpoint_every > 0 ? output.checkpoint_every : counts.steps + 1;
+  counts.checkpoints = counts.steps / counts.checkpoint_every + 1;
+  return counts;
 }
 
 }  // namespace solidem

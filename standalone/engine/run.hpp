@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "engine/run_costs.hpp"
 #include "engine/simulation.hpp"
 
 namespace solidem {
@@ -27,6 +28,10 @@ struct RunOptions {
 /// Returns true when the run came to its end, false when it was interrupted. Throws InputError (an
 /// unusable checkpoint) and RunError (divergence, a file that cannot be written).
 bool run(Simulation& simulation, const RunOptions& options);
+
+/// Takes the first steps of a run, half a second of them at most, writes each kind of file once,
+/// and tells what it all cost.
+RunCosts try_run(Simulation& simulation, const RunOptions& options);
 
 }  // namespace solidem
 
