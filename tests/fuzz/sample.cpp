@@ -2,9 +2,11 @@
 //
 // A short, fixed sample of what the fuzzers do without end (tests/fuzz/run): good inputs with bytes
 // changed, cut out, doubled and exchanged. A crash, or an exception that is none of ours, fails.
+// FUZZ_INPUTS asks for another number of them than 400 for each target, FUZZ_SEED for others.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 
 #include "targets.hpp"
@@ -37,13 +39,19 @@ std::string mutated(std::string input, std::mt19937& random) {
   return input;
 }
 
+long number_of(const char* variable, long otherwise) {
+  const char* given = std::getenv(variable);
+  return given == nullptr ? otherwise : std::atol(given);
+}
+
 class Fuzz : public testing::TestWithParam<Target> {};
 
 TEST_P(Fuzz, accepts_good_inputs_and_survives_others) {
   const Target& target = GetParam();
-  std::mt19937 random(20);
+  std::mt19937 random(static_cast<std::uint32_t>(number_of("FUZZ_SEED", 20)));
   for (const std::string& seed : target.seeds) EXPECT_NO_THROW(target.run(seed));
-  for (int k = 0; k < 400; ++k)
+  const long inputs = number_of("FUZZ_INPUTS", 400);
+  for (long k = 0; k < inputs; ++k)
     EXPECT_NO_THROW(target.run(mutated(target.seeds[random() % target.seeds.size()], random))) << k;
 }
 
