@@ -262,11 +262,6 @@ class Parameters:
         """Whether contacts are all that elements do to each other."""
         return self.contact is not None and self.beams is None and self.central_forces is None
 
-    @property
-    def is_loose(self) -> bool:
-        """Whether contacts are all that elements do to each other."""
-        return self.contact is not None and self.beams is None and self.central_forces is None
-
     def require_support(self) -> None:
         """PreparedError when the scene asks for what other codes are not given."""
         if self.unsupported:
@@ -416,7 +411,8 @@ def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
     return replace(_known(kind, law), parameters=parameters)
 
 
-#: Sections of effects of which other codes are told.
+#: Sections of effects of which other codes are told, each with what they cannot do refused below; a
+#: test holds them to the sections of the program.
 KNOWN_SECTIONS = {"beams", "plasticity", "rupture", "contact", "damage", "central_forces", "grips",
                   "gravity", "damping", "conduction", "thermal_contacts", "heat_sources",
                   "heat_fluxes", "convections", "temperatures", "initial_velocities"}
