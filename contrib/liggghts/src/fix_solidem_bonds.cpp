@@ -58,6 +58,8 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
       orientation(NULL),
       lost(NULL),
       removed(NULL),
+      moved(0),
+      turned(0),
       gone_plastic_work(0.0) {
   read_options(narg, arg);
   if (igroup != 0) error->fix_error(FLERR, this, "must be used with group 'all'");
@@ -150,7 +152,7 @@ FixPropertyAtom* FixSolidemBonds::property(const char* name, const char* forward
 }
 
 int FixSolidemBonds::setmask() {
-  return PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE | POST_FORCE;
+  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE | POST_FORCE;
 }
 
 void FixSolidemBonds::init() {
@@ -176,16 +178,18 @@ void FixSolidemBonds::init() {
 ------------------------------------------------------------------------- */
 
 void FixSolidemBonds::require_turning() {
+  moved = turned = 0;
   if (!beams || !beams->bears_moments()) return;
-  int turned = 0;
-  for (int k = 0; k < modify->nfix; k++)
+  for (int k = 0; k < modify->nfix; k++) {
     if (strcmp(modify->fix[k]->style, "nve/solidem") == 0) turned |= modify->fix[k]->groupbit;
+    if (strcmp(modify->fix[k]->style, "move") == 0) moved |= modify->fix[k]->groupbit;
+  }
   for (int k = 0; k < modify->nfix; k++) {
     const Fix* mover = modify->fix[k];
     const std::string moves = mover->style;
     if (!mover->time_integrate || moves == "move" || moves.compare(0, 11, "nve/noforce") == 0)
       continue;
-    const int unturned = bonded_and_unturned(mover->groupbit, turned);
+    const int unturned = bonded_and_unturned(mover->groupbit);
     if (unturned == 0) continue;
     error->fix_error(FLERR, this,
                      ("'fix " + std::string(mover->id) + " ... " + moves + "' moves " +
@@ -197,13 +201,32 @@ void FixSolidemBonds::require_turning() {
   }
 }
 
-// How many atoms that list a bond are of one group and not of another.
-int FixSolidemBonds::bonded_and_unturned(int moved, int turned) const {
+// How many atoms of a group list a bond, and no 'nve/solidem' turns them.
+int FixSolidemBonds::bonded_and_unturned(int group) const {
   int here = 0, all;
   for (int i = 0; i < atom->nlocal; i++)
-    here += atom->num_bond[i] > 0 && (atom->mask[i] & moved) && !(atom->mask[i] & turned);
+    here += atom->num_bond[i] > 0 && (atom->mask[i] & group) && !(atom->mask[i] & turned);
   MPI_Allreduce(&here, &all, 1, MPI_INT, MPI_SUM, world);
   return all;
+}
+
+// 'fix move ... rotate' gives its atoms an angular velocity and knows no orientation: it follows
+// here, so that a grip turns as one rigid body. Other motions leave the angular velocity as it is.
+void FixSolidemBonds::post_integrate() {
+  if (moved == 0) return;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double* omega = atom->omega[i];
+    if (!(atom->mask[i] & moved) || (atom->mask[i] & turned)) continue;
+    if (omega[0] == 0.0 && omega[1] == 0.0 && omega[2] == 0.0) continue;
+    double* q = orientation->array_atom[i];
+    const solidem::Quaternion<double> now =
+        solidem::turn(solidem::Quaternion<double>{q[0], {q[1], q[2], q[3]}},
+                      solidem::Vector3<double>{omega[0], omega[1], omega[2]}, update->dt);
+    q[0] = now.w;
+    q[1] = now.v.x;
+    q[2] = now.v.y;
+    q[3] = now.v.z;
+  }
 }
 
 // The neighbour lists were just built: from now on the bond style works on neighbor->bondhistlist.

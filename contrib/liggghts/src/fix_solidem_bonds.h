@@ -40,6 +40,7 @@ class FixSolidemBonds : public Fix {
   void post_create();
   int setmask();
   void init();
+  void post_integrate();
   void setup_pre_force(int);
   void pre_force(int);
   void setup(int);
@@ -81,6 +82,7 @@ class FixSolidemBonds : public Fix {
   int minimal_bonds;              // atoms that lost bonds and keep fewer are removed; 0: never
   class BondSolidemBeam* beams;   // NULL: another bond style
   class FixPropertyAtom *orientation, *lost, *removed;
+  int moved, turned;  // groups of atoms of beams: those of 'move', and those of 'nve/solidem'
   double gone_plastic_work;                       // of bonds that left the lists of this rank
   std::vector<double> whole_bonds, broken_bonds;  // of every atom, ghosts included
 
@@ -92,7 +94,7 @@ class FixSolidemBonds : public Fix {
   bool holds(int n) const;
   bool is_held_by_another(int n) const;
   void require_turning();
-  int bonded_and_unturned(int moved, int turned) const;
+  int bonded_and_unturned(int group) const;
   void require_bonds_switched_on() const;
   void require_unit_orientations() const;
   class FixPropertyAtom* property(const char* name, const char* forward, const char* reverse);
