@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/notes.hpp"
 #include "app/say.hpp"
+#include "effects/beams.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/turning_grip.hpp"
 #include "keys/nearest_name.hpp"
@@ -200,23 +201,34 @@ void write_trajectories(const std::string& directory, const StaticScene& body,
   }
 }
 
+/// The least strain at which bonds of any material flow, or break.
+double least_bound(const BeamDemands& demands, const RuptureLaw* rupture) {
+  const YieldLaw* yield = rupture == nullptr ? demands.yield() : nullptr;
+  const FlowRule rule = demands.plasticity ? demands.plasticity->law : FlowRule::radial_return;
+  double least = limit_strain(yield, rule, rupture, 0);
+  for (const BeamPairing& pair : demands.pairings())
+    least = std::min(least, limit_strain(yield, rule, rupture, 0, pair.limits));
+  return least;
+}
+
 /// What the scene asks for and a static solution leaves out.
 void add_notes(const Setup& setup, double largest_strain, const Equilibrium& equilibrium,
                std::vector<std::string>& notes) {
-  const bool is_strain_limit =
-      setup.get<RuptureParameters>() &&
-      std::holds_alternative<StrainLimit>(setup.get<RuptureParameters>()->law);
-  if (setup.get<PlasticityParameters>()) {
-    const double bound = limit_strain(&setup.get<PlasticityParameters>()->hardening,
-                                      setup.get<PlasticityParameters>()->law, nullptr, 0);
+  const BeamDemands demands = demands_of(setup);
+  const bool is_one_material = limits_are_alike(demands.pairings());
+  const bool is_strain_limit = is_one_material && demands.rupture &&
+                               std::holds_alternative<StrainLimit>(demands.rupture->law);
+  if (demands.plasticity) {
+    const double bound = least_bound(demands, nullptr);
     if (largest_strain > bound)
       notes.push_back(
-          fmt::format("the solution is elastic, but bonds would have yielded: their largest "
-                      "equivalent strain is {:.3g}, the yield strain {:.3g}",
-                      largest_strain, bound));
+          fmt::format("the solution is elastic, but bonds {} have yielded: their largest "
+                      "equivalent strain is {:.3g}, {} {:.3g}",
+                      is_one_material ? "would" : "may", largest_strain,
+                      is_one_material ? "the yield strain" : "none yields below", bound));
   }
-  if (setup.get<RuptureParameters>()) {
-    const double bound = strain_before_rupture(&setup.get<RuptureParameters>()->law, 0.0);
+  if (demands.rupture) {
+    const double bound = least_bound(demands, &demands.rupture->law);
     if (largest_strain > bound)
       notes.push_back(
           fmt::format("the solution is elastic, but bonds {} have broken: their largest equivalent "

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "keys/rules.hpp"
+#include "model/error.hpp"
 
 namespace solidem {
 
@@ -26,8 +27,31 @@ std::vector<Key> elasticity_keys(BeamElasticity& p) {
               .means("radius of these beams as a multiple of what `radius_from` says")};
 }
 
-/// The shear modulus, by either key, and the radius of [beams] where none is given.
-void finish(const Section& section, Law law, double radius_ratio, BeamElasticity& p) {
+/// Where these beams flow and break. `stress` takes the yield stress until finish().
+std::vector<Key> limit_keys(BeamLimits& p, std::optional<double>& stress, const char* otherwise) {
+  return {may_have("yield_strain", number(p.yield_strain, positive))
+              .means("at which these beams first flow; the whole yield curve is scaled so, see "
+                     "below; with `[plasticity]`")
+              .without(otherwise),
+          may_have("yield_stress", quantity(stress, dimension::modulus, positive))
+              .means("the same as a stress, over E of these beams")
+              .without(otherwise),
+          may_have("plastic_strain_ratio", number(p.plastic_strain_ratio, positive))
+              .means("plastic strains of these beams over those of `[plasticity]` at which the "
+                     "yield stress has grown as much")
+              .without(otherwise),
+          may_have("rupture_ratio", number(p.rupture_ratio, positive))
+              .means("strains at which these beams break over those of `[rupture]`, all alike; "
+                     "strengths are over E of these beams")
+              .without(otherwise)};
+}
+
+/// The yield strain, the shear modulus, each by either key, and the radius of [beams] where none is
+/// given.
+void finish(const Section& section, Law law, double radius_ratio,
+            const std::optional<double>& yield_stress, BeamElasticity& p) {
+  section.at_most_one_of({"yield_strain", "yield_stress"});
+  if (yield_stress) p.limits.yield_strain = *yield_stress / p.young_modulus;
   if (!section.has("radius_ratio")) p.radius_ratio = radius_ratio;
   if (law == Law::spring) {
     for (const char* key : {"poisson_ratio", "shear_modulus"})
@@ -48,28 +72,56 @@ Rule two_names(std::vector<std::string>& target) {
 }
 
 Json to_json(const BeamElasticity& p) {
-  return {{"young_modulus", p.young_modulus},
-          {"shear_modulus", p.shear_modulus},
-          {"radius_ratio", p.radius_ratio}};
+  Json json{{"young_modulus", p.young_modulus},
+            {"shear_modulus", p.shear_modulus},
+            {"radius_ratio", p.radius_ratio}};
+  const auto add = [&json](const char* name, const std::optional<double>& value) {
+    if (value) json[name] = *value;
+  };
+  add("yield_strain", p.limits.yield_strain);
+  add("plastic_strain_ratio", p.limits.plastic_strain_ratio);
+  add("rupture_ratio", p.limits.rupture_ratio);
+  return json;
+}
+
+/// Says of each kind of limit who has none of it to share.
+void require_laws(const std::string& whose, const BeamLimits& limits, bool has_plasticity,
+                  bool has_rupture) {
+  const auto require = [&](bool is_stated, const char* key, bool has_law, const char* law) {
+    if (is_stated && !has_law)
+      throw InputError(whose + " " + key + ": there is no section " + law +
+                       " whose law it shares; leave the key out, or say " + law);
+  };
+  require(limits.yield_strain.has_value(), "yield_strain or yield_stress", has_plasticity,
+          "[plasticity]");
+  require(limits.plastic_strain_ratio.has_value(), "plastic_strain_ratio", has_plasticity,
+          "[plasticity]");
+  require(limits.rupture_ratio.has_value(), "rupture_ratio", has_rupture, "[rupture]");
 }
 
 }  // namespace
 
-std::vector<Key> beam_material_keys(BeamMaterial& material, std::set<std::string>& taken,
-                                    const NamedRegions& regions) {
+std::vector<Key> beam_material_keys(BeamMaterial& material, std::optional<double>& yield_stress,
+                                    std::set<std::string>& taken, const NamedRegions& regions) {
   std::vector<Key> keys{must_have("name", name(material.name, taken)).means("not `rest`"),
                         must_have("region", region(material.region, regions))
                             .means("beams between two elements of it are of this material")};
   for (const Key& key : elasticity_keys(material)) keys.push_back(key);
   keys.back() = keys.back().without("that of `[beams]`");
+  for (const Key& key : limit_keys(material.limits, yield_stress, "the strains of the law"))
+    keys.push_back(key);
   return keys;
 }
 
-std::vector<Key> beam_interface_keys(BeamInterface& interface, std::vector<std::string>& between) {
+std::vector<Key> beam_interface_keys(BeamInterface& interface, std::optional<double>& yield_stress,
+                                     std::vector<std::string>& between) {
   std::vector<Key> keys{must_have("between", two_names(between))
                             .means("the two materials; `rest` is what `[beams]` says")};
   for (const Key& key : elasticity_keys(interface)) keys.push_back(key);
   keys.back() = keys.back().without("the mean of the two materials'");
+  for (const Key& key :
+       limit_keys(interface.limits, yield_stress, "of the side that bears less stress"))
+    keys.push_back(key);
   return keys;
 }
 
@@ -78,10 +130,11 @@ Rule beam_materials_section(BeamParameters& beams, const NamedRegions& regions) 
     std::set<std::string> taken;
     for (const BeamMaterial& material : beams.materials) taken.insert(material.name);
     BeamMaterial material;
-    section.read(beam_material_keys(material, taken, regions));
+    std::optional<double> yield_stress;
+    section.read(beam_material_keys(material, yield_stress, taken, regions));
     if (material.name == rest_of_beams)
       section.refuse("name", "that is what [beams] itself is called", "another name");
-    finish(section, beams.law, beams.radius_ratio, material);
+    finish(section, beams.law, beams.radius_ratio, yield_stress, material);
     beams.materials.push_back(std::move(material));
   });
 }
@@ -90,7 +143,8 @@ Rule beam_interfaces_section(BeamParameters& beams) {
   return tables([&beams](const Section& section) {
     BeamInterface interface;
     std::vector<std::string> between;
-    section.read(beam_interface_keys(interface, between));
+    std::optional<double> yield_stress;
+    section.read(beam_interface_keys(interface, yield_stress, between));
     std::vector<std::string> known{rest_of_beams};
     for (const BeamMaterial& material : beams.materials) known.push_back(material.name);
     std::vector<double> ratio;
@@ -113,7 +167,7 @@ Rule beam_interfaces_section(BeamParameters& beams) {
       if ((other.first == interface.first && other.second == interface.second) ||
           (other.first == interface.second && other.second == interface.first))
         section.refuse("between", "this interface is there twice", "each interface once");
-    finish(section, beams.law, 0.5 * (ratio[0] + ratio[1]), interface);
+    finish(section, beams.law, 0.5 * (ratio[0] + ratio[1]), yield_stress, interface);
     beams.interfaces.push_back(std::move(interface));
   });
 }
@@ -128,6 +182,15 @@ void finish_beam_materials(const Section& section, BeamParameters& beams) {
     if (section.has(key))
       section.refuse(key, "there are several materials of beams, and they have no grain",
                      "one of " + std::string(key) + " and [[beams.material]]");
+}
+
+void check_limits_of_materials(const BeamParameters& beams, bool has_plasticity, bool has_rupture) {
+  for (const BeamMaterial& material : beams.materials)
+    require_laws("[[beams.material]] \"" + material.name + "\"", material.limits, has_plasticity,
+                 has_rupture);
+  for (const BeamInterface& interface : beams.interfaces)
+    require_laws("[[beams.interface]] between " + interface.first + " and " + interface.second,
+                 interface.limits, has_plasticity, has_rupture);
 }
 
 void explain_beam_materials(const BeamParameters& beams, Json& json) {

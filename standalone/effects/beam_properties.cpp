@@ -36,16 +36,22 @@ BeamElasticity rest_of(const BeamParameters& p) {
   return {p.young_modulus, p.shear_modulus, p.radius_ratio};
 }
 
-BeamMaterialTable table_of(const BeamParameters& p, const Specimen& specimen) {
+BeamMaterialTable table_of(const BeamParameters& p, const Specimen& specimen,
+                           const YieldLaw* yield) {
   if (p.materials.empty()) return {};
-  return {rest_of(p), p.materials, p.interfaces, specimen};
+  return {p.materials, pairings(p, yield), specimen};
 }
 
 }  // namespace
 
-BeamProperties::BeamProperties(const BeamParameters& parameters, const Specimen& specimen)
+std::vector<BeamPairing> pairings(const BeamParameters& parameters, const YieldLaw* yield) {
+  return pairings(rest_of(parameters), parameters.materials, parameters.interfaces, yield);
+}
+
+BeamProperties::BeamProperties(const BeamParameters& parameters, const Specimen& specimen,
+                               const YieldLaw* yield)
     : parameters_(parameters),
-      materials_(table_of(parameters, specimen)),
+      materials_(table_of(parameters, specimen, yield)),
       mean_radius_(mean_radius(specimen)),
       bond_tolerance_(specimen.bond_tolerance),
       contact_margin_(specimen.contact_margin) {}
@@ -68,10 +74,10 @@ BeamSection<double> BeamProperties::section(const BeamElasticity& made_of, doubl
 
 BeamSection<double> BeamProperties::section(const Specimen& specimen, Pair pair,
                                             const Vector& chord) const {
-  return section(
-      parameters_.materials.empty() ? rest_of(parameters_) : materials_.between(pair.i, pair.j),
-      specimen.radius[static_cast<std::size_t>(pair.i)],
-      specimen.radius[static_cast<std::size_t>(pair.j)], chord);
+  return section(parameters_.materials.empty() ? rest_of(parameters_)
+                                               : materials_.between(pair.i, pair.j).elasticity,
+                 specimen.radius[static_cast<std::size_t>(pair.i)],
+                 specimen.radius[static_cast<std::size_t>(pair.j)], chord);
 }
 
 BeamSection<double> BeamProperties::section(double radius_i, double radius_j,

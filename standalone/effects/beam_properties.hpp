@@ -11,11 +11,16 @@ namespace solidem {
 /// Whether all beams have one section and one rigidity.
 bool beams_are_alike(const BeamParameters& parameters);
 
+/// What beams of each two materials are, as BeamMaterialTable has them; `yield`: the law that all
+/// share.
+std::vector<BeamPairing> pairings(const BeamParameters& parameters, const YieldLaw* yield);
+
 /// What the beam of each bond is made of, how thick and how stiff it is.
 class BeamProperties {
  public:
   /// Keeps a reference to neither.
-  BeamProperties(const BeamParameters& parameters, const Specimen& specimen);
+  BeamProperties(const BeamParameters& parameters, const Specimen& specimen,
+                 const YieldLaw* yield = nullptr);
 
   /// The section of the beam between two elements of the specimen that this was made of. `chord`:
   /// from i to j at rest.
@@ -29,6 +34,12 @@ class BeamProperties {
 
   /// That of a beam along x between elements of mean radius, outside of all regions.
   BeamSection<double> common_section() const;
+
+  /// Where the beam between two elements flows and breaks, over what the laws say.
+  LimitScale<double> limits(Pair pair) const {
+    if (parameters_.materials.empty()) return {};
+    return materials_.between(pair.i, pair.j).limits;
+  }
 
   /// Its stiffness times its rest length.
   BeamRigidity<double> rigidity(const BeamSection<double>& section, double rest_length) const;

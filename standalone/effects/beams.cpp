@@ -49,12 +49,18 @@ bool BeamDemands::looks_at_all() const {
          (rupture && rupture->section != JudgedSection::middle);
 }
 
+std::vector<BeamPairing> BeamDemands::pairings() const {
+  if (elasticity.materials.empty()) return {};
+  return solidem::pairings(elasticity, yield());
+}
+
 BondNeeds BeamDemands::needs(bool periodic) const {
   const bool since_made = plasticity && plasticity->law == FlowRule::scaled_offset;
   return {has_rotation(),
           watch() == Watch::remembering,
           since_made,
           !beams_are_alike(elasticity) || softens,
+          watch() != Watch::elastic && !limits_are_alike(pairings()),
           watch() != Watch::elastic,
           periodic,
           expands,
@@ -74,11 +80,14 @@ std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool perio
 
 Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model& model)
     : demands_(demands),
-      properties_(demands.elasticity, model.specimen()),
+      properties_(demands.elasticity, model.specimen(), demands.yield()),
       mean_radius_(mean_radius(model.specimen())) {
   const Specimen& specimen = model.specimen();
   section_ = properties_.common_section();
   rigidity_ = properties_.rigidity(section_, 1);
+  least_limit_ = limit_of({});
+  for (const BeamPairing& pair : demands_.pairings())
+    least_limit_ = std::min(least_limit_, limit_of(pair.limits));
 
   double* poses[] = {model.data(columns::pose), model.next(columns::pose)};
   for (double* pose : poses)
@@ -130,6 +139,8 @@ NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
   const Vector normal_j = rotate(conjugate(q_j), direction);
   const double twist = 2 * dot((q_j * conjugate(q_i)).v, direction);
   const bool has_shape = norm(normal_j - normal_i) > 0 || std::fabs(twist) > 0;
+  const LimitScale<double> limits = properties_.limits({i, j});
+  const double limit = limit_of(limits);
   return {length,
           direction,
           normal_i,
@@ -138,11 +149,12 @@ NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
           section.radius,
           properties_.rigidity(section, length),
           image_shift,
-          has_shape ? -limit_of_new_bonds() : limit_of_new_bonds()};
+          limits,
+          has_shape ? -limit : limit};
 }
 
-double Beams::limit_of_new_bonds() const {
-  return demands_.looks_at_all() ? 0 : limit_strain(yield(), flow_rule(), rupture(), 0);
+double Beams::limit_of(const LimitScale<double>& scale) const {
+  return demands_.looks_at_all() ? 0 : limit_strain(yield(), flow_rule(), rupture(), 0, scale);
 }
 
 void Beams::bind(Model& model, std::int32_t i, std::int32_t j, std::size_t row, int lane,
@@ -213,7 +225,8 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
   const BeamModes<double> before =
       last_modes(kind, now, q_i, rotate(turn, last.chord), turn * last.orientation_j);
   const auto respond = [&](const auto& law) {
-    const YieldCurve<std::decay_t<decltype(law)>, double> curve{law};
+    const YieldCurve<std::decay_t<decltype(law)>, double> curve{
+        law, {}, limit_scale<double>(m, slot)};
     return flow_response(m.flow_rule, curve, beam, now.history, at, before);
   };
   return {i, j, chord, beam, std::visit(respond, *m.yield)};
@@ -253,10 +266,11 @@ BeamMotion Beams::motion(Model& model) const {
   motion.last_pose = where(columns::last_pose);
   motion.plastic_work = where(columns::plastic_work);
   motion.bond_radius = where(columns::bond_radius);
+  motion.bond_limits = where(columns::bond_limits);
   motion.radius = section_.radius;
   motion.shear_ratio = section_.shear_modulus / section_.young_modulus;
   motion.limit_strain = where(columns::limit_strain);
-  motion.common_limit_strain = limit_of_new_bonds();
+  motion.common_limit_strain = least_limit_;
   motion.yield = yield();
   motion.flow_rule = flow_rule();
   motion.rupture_section = demands_.rupture ? demands_.rupture->section : JudgedSection::middle;

@@ -26,6 +26,9 @@ struct BeamDemands {
   /// Whether bonds are judged where the hot loop cannot tell how strained they are, so that each is
   /// looked at in each step.
   bool looks_at_all() const;
+  const YieldLaw* yield() const { return plasticity ? &plasticity->hardening : nullptr; }
+  /// The limits of beams of each two materials over those of the laws; none: one material.
+  std::vector<BeamPairing> pairings() const;
   BondNeeds needs(bool periodic) const;
   bool has_rotation() const { return elasticity.law != BeamParameters::Law::spring; }
 };
@@ -110,12 +113,10 @@ class Beams : public Mechanics {
   BeamMotion motion(Model& model) const;
 
  private:
-  BeamMotion columns_of(const Model& model) const;  ///< to be read alone
-  double limit_of_new_bonds() const;
+  BeamMotion columns_of(const Model& model) const;         ///< to be read alone
+  double limit_of(const LimitScale<double>& scale) const;  ///< of a new bond
   NewBond new_bond(const Model& model, std::int32_t i, std::int32_t j, const Vector& chord) const;
-  const YieldLaw* yield() const {
-    return demands_.plasticity ? &demands_.plasticity->hardening : nullptr;
-  }
+  const YieldLaw* yield() const { return demands_.yield(); }
   const RuptureLaw* rupture() const { return demands_.rupture ? &demands_.rupture->law : nullptr; }
   FlowRule flow_rule() const {
     return demands_.plasticity ? demands_.plasticity->law : FlowRule::radial_return;
@@ -126,6 +127,7 @@ class Beams : public Mechanics {
   double mean_radius_;             ///< of the elements, m
   BeamSection<double> section_;    ///< of every beam, where all are alike
   BeamRigidity<double> rigidity_;  ///< likewise
+  double least_limit_;             ///< strain up to which no new bond flows or breaks
   std::vector<std::uint32_t> breaking_;
 };
 

@@ -182,6 +182,7 @@ void plan_beams(const Setup& setup, Plan& plan) {
   const auto& beams = setup.get<BeamParameters>();
   if (!beams) return;
   const BeamDemands demands = demands_of(setup);
+  check_limits_of_materials(*beams, demands.plasticity.has_value(), demands.rupture.has_value());
   std::string reason = "[beams]";
   if (beams->anisotropy) reason += " [beams.anisotropy]";
   if (beams->fibres) reason += " [beams.fibres]";
@@ -238,8 +239,10 @@ EffectKind beams_kind() {
     BeamMaterial material;
     BeamInterface interface;
     std::vector<std::string> between;
-    visit("[beams.material]", beam_material_keys(material, empty.reading.taken, empty.regions));
-    visit("[beams.interface]", beam_interface_keys(interface, between));
+    std::optional<double> stress;
+    visit("[beams.material]",
+          beam_material_keys(material, stress, empty.reading.taken, empty.regions));
+    visit("[beams.interface]", beam_interface_keys(interface, stress, between));
   };
   kind.explain = [values = kind.explain](const Setup& setup, const Specimen& specimen, Json& json) {
     const BeamParameters& beams = *setup.get<BeamParameters>();

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "laws/beam.hpp"
+#include "laws/limit_scale.hpp"
 #include "laws/rupture_law.hpp"
 #include "model/columns.hpp"
 #include "model/specimen.hpp"
@@ -20,6 +21,7 @@ struct BondNeeds {
   bool remembers;            ///< bonds keep a history
   bool measured_since_made;  ///< flow depends on the deformation since a bond was made
   bool differ;               ///< in section or stiffness
+  bool limits_differ;        ///< of yield or rupture
   bool may_flow_or_break;
   bool is_periodic;
   bool expands, softens;  ///< with temperature
@@ -34,6 +36,7 @@ struct NewBond {
   double radius;
   BeamRigidity<double> rigidity;
   Vector image_shift;
+  LimitScale<double> limits;
   double limit_strain;
 };
 
@@ -97,6 +100,12 @@ inline const BondColumn bond_columns[] = {
     {&columns::bond_radius,
      [](const BondNeeds& needs) { return needs.differ && needs.may_flow_or_break; }, 1,
      [](const NewBond& bond, double* to) { *to = bond.radius; }},
+    {&columns::bond_limits, [](const BondNeeds& needs) { return needs.limits_differ; }, 1,
+     [](const NewBond& bond, double* to) {
+       to[0] = bond.limits.yield;
+       to[1] = bond.limits.plastic;
+       to[2] = bond.limits.rupture;
+     }},
     {&columns::image_shift, [](const BondNeeds& needs) { return needs.is_periodic; }, 0,
      [](const NewBond& bond, double* to) { detail::write(bond.image_shift, to); }}};
 

@@ -72,10 +72,6 @@ std::string parameter_names() {
 template <class Table>
 void read_bond_law(const Section& section, const char* key, const std::vector<Key>& others,
                    const std::optional<BeamParameters>& beams, typename Table::Any& result) {
-  if (beams && !beams->materials.empty())
-    section.refuse("one law for several materials of beams",
-                   "no such section beside "
-                   "[[beams.material]]");
   std::string name;
   const Key law_key = law_name_key<Table>(key, name);
   section.read_one(law_key);

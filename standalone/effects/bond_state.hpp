@@ -38,6 +38,14 @@ inline BeamDeformation<Real> deformation_in(Kind kind, const BondNow<Real>& bond
   return deformation;
 }
 
+/// The limits of the bond in a slot over those of the laws.
+template <class Real, class Motion, class Slot>
+inline LimitScale<Real> limit_scale(const Motion& m, const Slot& slot) {
+  if (m.bond_limits == nullptr) return {};
+  return {false, slot.number(m.bond_limits, 3, 0), slot.number(m.bond_limits, 3, 1),
+          slot.number(m.bond_limits, 3, 2)};
+}
+
 /// Reads the bond in a slot. `Motion`: its columns, see BeamMotion; `Slot`: reads a number or a
 /// vector of a column. `has_shape`: of those that remember, whether one may have a shape of its
 /// own, by flow or since it was made anew; both normals are else those of one direction. `turned`:

@@ -69,13 +69,12 @@ constexpr AssociatedFlow<Real> associated_flow(const YieldCurve<Law, Real>& yiel
   const Real none{0.0}, one{1.0};
   const ResultantStrain<Varied> fixed{Varied{strain.normal}, Varied{strain.bending},
                                       Varied{strain.twist}};
-  const YieldState<Varied> state{Varied{yield.state.temperature}, Varied{yield.state.rate}};
   const auto flows = greater(equivalent, yield.limit(plastic_strain));
   Real x{0.0};
   for (int n = 0; n < most_steps; ++n) {
     const Varied at{x, one};
     const Varied left = detail::strain_after(fixed, Varied{shear_ratio}, at).first;
-    const Varied excess = left - yield.law.limit(Varied{plastic_strain} + at * left, state);
+    const Varied excess = left - yield.limit(Varied{plastic_strain} + at * left);
     const auto falls = both(flows, greater(none, excess.derivative));
     const Real step = select(falls, -(excess.value / select(falls, excess.derivative, one)), none);
     x = detail::larger_of(x + step, none);

@@ -4,8 +4,10 @@
 #ifndef SOLIDEM_LAWS_BOND_LIMIT_HPP
 #define SOLIDEM_LAWS_BOND_LIMIT_HPP
 
+#include <type_traits>
 #include <variant>
 
+#include "laws/limit_scale.hpp"
 #include "laws/rupture_laws.hpp"
 #include "laws/yield_laws.hpp"
 
@@ -22,8 +24,9 @@ inline constexpr NamedChoice<FlowRule> flow_rules[] = {{"radial-return", FlowRul
 /// The equivalent strain since the last flow up to which a bond of the plastic strain κ surely does
 /// not flow.
 template <class Law, class Real>
-constexpr Real strain_before_flow(const Law& law, FlowRule rule, const Real& plastic_strain) {
-  const Real limit = law.lower_bound(plastic_strain), none{0.0};
+constexpr Real strain_before_flow(const YieldCurve<Law, Real>& yield, FlowRule rule,
+                                  const Real& plastic_strain) {
+  const Real limit = yield.lower_bound(plastic_strain), none{0.0};
   if (rule != FlowRule::scaled_offset) return limit;
   // What the strain since the bond was made tells cannot be told from that since the last flow.
   return select(greater(plastic_strain, none), none, limit);
@@ -31,27 +34,38 @@ constexpr Real strain_before_flow(const Law& law, FlowRule rule, const Real& pla
 
 /// The equivalent strain up to which a bond of the plastic strain κ surely does not break.
 template <class Real>
-constexpr Real strain_before_rupture(const RuptureLaw* rupture, const Real& plastic_strain) {
+constexpr Real strain_before_rupture(const RuptureLaw* rupture, const Real& plastic_strain,
+                                     const LimitScale<Real>& scale = {}) {
   if (rupture == nullptr) return Real{unlimited};
-  return std::visit([&](const auto& law) { return law.lower_bound(plastic_strain); }, *rupture);
+  const auto bound = [&](const Real& at) {
+    return std::visit([&](const auto& law) { return law.lower_bound(at); }, *rupture);
+  };
+  return scale.is_one ? bound(plastic_strain)
+                      : scale.rupture * bound(plastic_strain / scale.rupture);
 }
 
 /// Up to which it does neither.
 inline double limit_strain(const YieldLaw* yield, FlowRule rule, const RuptureLaw* rupture,
-                           double plastic_strain) {
-  const double before_rupture = strain_before_rupture(rupture, plastic_strain);
+                           double plastic_strain, const LimitScale<double>& scale = {}) {
+  const double before_rupture = strain_before_rupture(rupture, plastic_strain, scale);
   if (yield == nullptr) return before_rupture;
   return std::visit(
       [&](const auto& law) {
-        return smaller_of(strain_before_flow(law, rule, plastic_strain), before_rupture);
+        const YieldCurve<std::decay_t<decltype(law)>, double> curve{law, {}, scale};
+        return smaller_of(strain_before_flow(curve, rule, plastic_strain), before_rupture);
       },
       *yield);
 }
 
 /// Whether a bond breaks that is strained so.
 template <class Real>
-constexpr auto breaks(const RuptureLaw& rupture, const BondStrain<Real>& strain) {
-  return std::visit([&](const auto& law) { return law.breaks(strain); }, rupture);
+constexpr auto breaks(const RuptureLaw& rupture, const BondStrain<Real>& strain,
+                      const LimitScale<Real>& scale = {}) {
+  BondStrain<Real> seen = strain;
+  if (!scale.is_one)
+    for (Real* part : {&seen.equivalent, &seen.plastic, &seen.normal, &seen.bending, &seen.twist})
+      *part = *part / scale.rupture;
+  return std::visit([&](const auto& law) { return law.breaks(seen); }, rupture);
 }
 
 }  // namespace solidem

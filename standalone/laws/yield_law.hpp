@@ -16,6 +16,7 @@
 #include <type_traits>
 
 #include "laws/dual.hpp"
+#include "laws/limit_scale.hpp"
 
 namespace solidem {
 
@@ -52,34 +53,40 @@ struct OffersTotalLimit<Law, Real, std::void_t<decltype(any_law<Law>->total_limi
 
 }  // namespace detail
 
-/// A yield law in a state: the yield strain as a function of the plastic strain alone.
+/// A yield law in a state, of a bond of some scale: the yield strain as a function of the plastic
+/// strain alone.
 template <class Law, class Real>
 struct YieldCurve {
   const Law& law;
   YieldState<Real> state{};
+  LimitScale<Real> scale{};
 
-  /// ε_y(κ)
-  constexpr Real limit(const Real& plastic_strain) const {
-    return law.limit(plastic_strain, state);
+  /// ε_y(κ), for the scalar of the curve or a dual number of it.
+  template <class Number>
+  constexpr Number limit(const Number& plastic_strain) const {
+    const YieldState<Number> same{Number{state.temperature}, Number{state.rate}};
+    if (scale.is_one) return law.limit(plastic_strain, same);
+    return Number{scale.yield} * law.limit(plastic_strain / Number{scale.plastic}, same);
+  }
+
+  /// What ε_y is not below at κ.
+  constexpr Real lower_bound(const Real& plastic_strain) const {
+    if (scale.is_one) return law.lower_bound(plastic_strain);
+    return scale.yield * law.lower_bound(plastic_strain / scale.plastic);
   }
 
   /// dε_y / dκ
   constexpr Real slope(const Real& plastic_strain) const {
-    if constexpr (detail::OffersSlope<Law, Real>::value) {
-      return law.slope(plastic_strain, state);
-    } else {
-      using Varied = DualNumber<Real>;
-      const YieldState<Varied> same{Varied{state.temperature}, Varied{state.rate}};
-      return law.limit(Varied{plastic_strain, Real{1.0}}, same).derivative;
-    }
+    if constexpr (detail::OffersSlope<Law, Real>::value)
+      if (scale.is_one) return law.slope(plastic_strain, state);
+    return limit(DualNumber<Real>{plastic_strain, Real{1.0}}).derivative;
   }
 
   /// ε_y(κ) + κ: the strain of a bond that has flowed in one direction only, where it flows again.
   constexpr Real total_limit(const Real& plastic_strain) const {
     if constexpr (detail::OffersTotalLimit<Law, Real>::value)
-      return law.total_limit(plastic_strain);
-    else
-      return limit(plastic_strain) + plastic_strain;
+      if (scale.is_one) return law.total_limit(plastic_strain);
+    return limit(plastic_strain) + plastic_strain;
   }
 };
 
@@ -117,9 +124,8 @@ template <class Law, class Real>
 constexpr Real returned_strain(const YieldCurve<Law, Real>& curve, const Real& strain,
                                const Real& plastic_strain) {
   if constexpr (detail::OffersReturn<Law, Real>::value)
-    return curve.law.returned(strain, plastic_strain);
-  else
-    return newton_return(curve, strain, plastic_strain);
+    if (curve.scale.is_one) return curve.law.returned(strain, plastic_strain);
+  return newton_return(curve, strain, plastic_strain);
 }
 
 }  // namespace solidem

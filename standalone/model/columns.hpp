@@ -109,6 +109,15 @@ inline constexpr Column bond_radius{"bond_radius",
                                     false,
                                     "m",
                                     "of the beam, where it matters and differs"};
+inline constexpr Column bond_limits{
+    "bond_limits",
+    Site::slot,
+    Layout::lanes,
+    3,
+    1,
+    false,
+    "1",
+    "of yield, plastic strain and rupture over those of the laws, where materials differ in them"};
 inline constexpr Column bond_rigidity{
     "bond_rigidity",
     Site::slot,

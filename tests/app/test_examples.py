@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "docs" / "examples"
 #: Examples that take more than some seconds.
-SLOW = {"bimetal", "central_forces", "conduction", "falling_block", "fibre_pull_out", "moving_source",
-        "rupture", "shot_plate", "threaded_pin", "three_rollers", "two_materials"}
+SLOW = {"bimetal", "central_forces", "conduction", "fibre", "falling_block", "fibre_pull_out",
+        "moving_source", "rupture", "shot_plate", "threaded_pin", "three_rollers", "two_materials"}
 #: Told elsewhere: docs/calibration.md.
 ELSEWHERE = {"calibration", "calibration_5000"}
 

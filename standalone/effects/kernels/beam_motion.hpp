@@ -185,11 +185,11 @@ inline void keep(Kind kind, const BeamMotion& m, const SlotPlace& slot, Mask flo
 }
 
 template <class Law>
-inline void refresh_limit(const Law& law, const BeamMotion& m, const SlotPlace& slot, Mask flowing,
-                          const Pack& plastic_strain) {
+inline void refresh_limit(const YieldCurve<Law, Pack>& yield, const BeamMotion& m,
+                          const SlotPlace& slot, Mask flowing, const Pack& plastic_strain) {
   if (m.look_at_all) return;
-  const Pack limit = smaller_of(strain_before_flow(law, m.flow_rule, plastic_strain),
-                                strain_before_rupture(m.rupture, plastic_strain));
+  const Pack limit = smaller_of(strain_before_flow(yield, m.flow_rule, plastic_strain),
+                                strain_before_rupture(m.rupture, plastic_strain, yield.scale));
   double* column = m.limit_strain + slot.of(1);
   select(flowing, -limit, Pack::load(column)).store(column);
 }
@@ -197,7 +197,7 @@ inline void refresh_limit(const Law& law, const BeamMotion& m, const SlotPlace& 
 /// Reports the lanes that break.
 inline void report(const BeamMotion& m, const SlotPlace& slot, Mask present,
                    const BondStrain<Pack>& strain) {
-  const Mask breaking = both(present, breaks(*m.rupture, strain));
+  const Mask breaking = both(present, breaks(*m.rupture, strain, limit_scale<Pack>(m, slot)));
   if (!any(breaking)) return;
   for (int k = 0; k < width; ++k)
     if (breaking[k])
@@ -236,8 +236,8 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
   const BeamHistory<Pack>& before = bond.history;
   const PosedBeam<Pack> posed =
       posed_beam(kind, m, slot, rule, bond, own.rotation, own.turned, at.other_turned);
-  const BeamFlow<Pack> flow =
-      beam_flow<rule>(YieldCurve<Law, Pack>{law}, at.beam, before.strain, posed);
+  const YieldCurve<Law, Pack> yield{law, {}, limit_scale<Pack>(m, slot)};
+  const BeamFlow<Pack> flow = beam_flow<rule>(yield, at.beam, before.strain, posed);
   const Mask present = is_bond(bond), flowing = both(present, greater(flow.strain, before.strain));
   if (!any(flowing)) return unflowing_load(kind, m, slot, at);
   const BeamResponse<Pack> response =
@@ -253,7 +253,7 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
     strains = select(flowing, strains, strain_of(at));
   }
   keep(kind, m, slot, flowing, before, response.history);
-  refresh_limit(law, m, slot, flowing, flow.strain);
+  refresh_limit(yield, m, slot, flowing, flow.strain);
   if (m.rupture != nullptr) report(m, slot, present, strains);
   return result;
 }

@@ -55,6 +55,7 @@ struct BeamMotion {
   double* limit_strain;
   double* plastic_work;
   const double* bond_radius;  ///< null: `radius` holds for every bond
+  const double* bond_limits;  ///< null: the laws hold for every bond as they stand
   double radius;
   double shear_ratio;          ///< G / E, where the bonds are all alike
   double common_limit_strain;  ///< of bonds that are watched
