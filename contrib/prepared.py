@@ -424,6 +424,14 @@ def _unknown_sections(effects: list[dict[str, str]]) -> list[str]:
     return [f"[{name}] is not understood" for name in sorted(asked - KNOWN_SECTIONS)]
 
 
+def _state_of_yield(law: dict[str, Any]) -> list[str]:
+    """What to say of a yield law that looks at more than the plastic strain."""
+    looks = [what for what, is_looked_at in (
+        ("the rate of flow", law.get("rate_sensitivity", 0) > 0),
+        ("temperature", law.get("melting_temperature") is not None)) if is_looked_at]
+    return [f"plasticity that depends on {what} is not understood" for what in looks]
+
+
 def parse_parameters(explained: dict[str, Any]) -> Parameters:
     """Parameters from the object that `solidem explain --json` prints."""
     laws = explained.get("laws", {})
@@ -438,6 +446,7 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
     if contact is not None and not loose and not contact.of_beams_alone():
         unsupported.append("[contact] with a stiffness of its own, friction or restitution is "
                            "understood of loose elements alone")
+    unsupported += _state_of_yield(laws.get("plasticity") or {})
     unsupported += _unknown_sections(explained.get("effects") or [])
     if (laws.get("damage") or {}).get("free_faces") == "left_out":
         unsupported.append("free faces that are no cracks are not understood")

@@ -45,7 +45,8 @@ LimitScale<double> stated(const BeamLimits& limits, LimitScale<double> otherwise
                           const YieldLaw* yield) {
   if (limits.yield_strain && yield != nullptr)
     otherwise.yield =
-        *limits.yield_strain / std::visit([](const auto& law) { return law.limit(0.0); }, *yield);
+        *limits.yield_strain /
+        std::visit([](const auto& law) { return law.limit(0.0, YieldState<double>{}); }, *yield);
   otherwise.plastic = limits.plastic_strain_ratio.value_or(otherwise.plastic);
   otherwise.rupture = limits.rupture_ratio.value_or(otherwise.rupture);
   return otherwise;

@@ -61,6 +61,7 @@ BondNeeds BeamDemands::needs(bool periodic) const {
           since_made,
           !beams_are_alike(elasticity) || softens,
           watch() != Watch::elastic && !limits_are_alike(pairings()),
+          feels_rate(),
           watch() != Watch::elastic,
           periodic,
           expands,
@@ -73,6 +74,7 @@ std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool perio
     asked.insert(asked.end(), {&columns::angular_velocity, &columns::inverse_inertia});
   if (demands.watch() == Watch::remembering) asked.push_back(&columns::plastic_work);
   if (demands.plasticity) asked.push_back(&columns::last_pose);
+  if (demands.feels_temperature()) asked.push_back(&columns::temperature);
   for (const BondColumn& kept : bond_columns)
     if (kept.is_needed(demands.needs(periodic))) asked.push_back(kept.column);
   return asked;
@@ -85,9 +87,9 @@ Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model&
   const Specimen& specimen = model.specimen();
   section_ = properties_.common_section();
   rigidity_ = properties_.rigidity(section_, 1);
-  least_limit_ = limit_of({});
+  least_limit_ = limit_of({}, 0);
   for (const BeamPairing& pair : demands_.pairings())
-    least_limit_ = std::min(least_limit_, limit_of(pair.limits));
+    least_limit_ = std::min(least_limit_, limit_of(pair.limits, 0));
 
   double* poses[] = {model.data(columns::pose), model.next(columns::pose)};
   for (double* pose : poses)
@@ -115,6 +117,44 @@ Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model&
     const Vector chord = rest_chord(specimen, {std::min(i, j), std::max(i, j)});
     bind(model, i, j, row, lane, side * chord);
   });
+  if (demands_.feels_rate()) rate_time_ = time_of_rates(model);
+}
+
+double Beams::time_of_rates(const Model& model) const {
+  if (demands_.plasticity->rate_time) return *demands_.plasticity->rate_time;
+  constexpr double swings = 100;  // far above those of bonds
+  double shortest = unlimited;
+  for (const TimeStepCriterion& criterion : time_step_criteria(model))
+    shortest = std::min(shortest, criterion.value);
+  return swings * shortest;
+}
+
+void Beams::state(Archive& archive) {
+  if (demands_.feels_rate()) archive(time_, time_step_);
+}
+
+double Beams::temperature_of(const Model& model, std::int32_t i, std::int32_t j) const {
+  if (!demands_.feels_temperature()) return 0;
+  const double* temperature = model.data(columns::temperature);
+  return 0.5 * (temperature[i] + temperature[j]);
+}
+
+void Beams::refresh_limits(Model& model) const {
+  if (!demands_.feels_temperature() || demands_.looks_at_all()) return;
+  double* limits = model.data(columns::limit_strain);
+  const double* plastic_strain = model.data(columns::plastic_strain);
+  const BeamMotion columns_now = columns_of(model);
+  for_blocks(model.slots().blocks(), 40, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block)
+      model.slots().for_each_in(block, [&](std::int32_t i, std::int32_t j, std::size_t row,
+                                           int lane) {
+        const std::size_t at = Slots::Place{row, lane}.index();
+        const LimitScale<double> scale = limit_scale<double>(columns_now, SlotReader{row, lane});
+        limits[at] = std::copysign(limit_strain(yield(), flow_rule(), rupture(), plastic_strain[at],
+                                                scale, temperature_of(model, i, j)),
+                                   limits[at]);
+      });
+  });
 }
 
 NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
@@ -140,7 +180,7 @@ NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
   const double twist = 2 * dot((q_j * conjugate(q_i)).v, direction);
   const bool has_shape = norm(normal_j - normal_i) > 0 || std::fabs(twist) > 0;
   const LimitScale<double> limits = properties_.limits({i, j});
-  const double limit = limit_of(limits);
+  const double limit = limit_of(limits, temperature_of(model, i, j));
   return {length,
           direction,
           normal_i,
@@ -153,8 +193,9 @@ NewBond Beams::new_bond(const Model& model, std::int32_t i, std::int32_t j,
           has_shape ? -limit : limit};
 }
 
-double Beams::limit_of(const LimitScale<double>& scale) const {
-  return demands_.looks_at_all() ? 0 : limit_strain(yield(), flow_rule(), rupture(), 0, scale);
+double Beams::limit_of(const LimitScale<double>& scale, double temperature) const {
+  if (demands_.looks_at_all()) return 0;
+  return limit_strain(yield(), flow_rule(), rupture(), 0, scale, temperature);
 }
 
 void Beams::bind(Model& model, std::int32_t i, std::int32_t j, std::size_t row, int lane,
@@ -225,8 +266,10 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
   const BeamModes<double> before =
       last_modes(kind, now, q_i, rotate(turn, last.chord), turn * last.orientation_j);
   const auto respond = [&](const auto& law) {
-    const YieldCurve<std::decay_t<decltype(law)>, double> curve{
-        law, {}, limit_scale<double>(m, slot)};
+    const double temperature =
+        m.temperature == nullptr ? 0 : 0.5 * (m.temperature[i] + m.temperature[j]);
+    const auto curve =
+        yield_curve(law, m, slot, limit_scale<double>(m, slot), temperature, now.history.strain);
     return flow_response(m.flow_rule, curve, beam, now.history, at, before);
   };
   return {i, j, chord, beam, std::visit(respond, *m.yield)};
@@ -267,6 +310,13 @@ BeamMotion Beams::motion(Model& model) const {
   motion.plastic_work = where(columns::plastic_work);
   motion.bond_radius = where(columns::bond_radius);
   motion.bond_limits = where(columns::bond_limits);
+  motion.temperature = demands_.feels_temperature() ? model.data(columns::temperature) : nullptr;
+  motion.flow_rate = where(columns::flow_rate);
+  motion.flow_time = where(columns::flow_time);
+  motion.time = time_;
+  motion.rate_time = rate_time_;
+  motion.rate_per_flow =
+      time_step_ > 0 ? -std::expm1(-time_step_ / rate_time_) / time_step_ : 1 / rate_time_;
   motion.radius = section_.radius;
   motion.shear_ratio = section_.shear_modulus / section_.young_modulus;
   motion.limit_strain = where(columns::limit_strain);
@@ -282,6 +332,8 @@ BeamMotion Beams::motion(Model& model) const {
 }
 
 void Beams::advance(Model& model, const Step& step) {
+  time_ = step.time;
+  time_step_ = step.time_step;
   BeamMotion common = motion(model);
   common.kick = step.kick;
   common.drift = step.time_step;
@@ -328,11 +380,12 @@ double Beams::mean_stiffness(const Model& model) const {
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
-void Beams::finish_move(Model& model) const {
+void Beams::finish_move(Model& model) {
   if (model.has(columns::last_pose))
     model.swap(columns::pose, columns::last_pose);
   else
     model.swap(columns::pose);
+  time_ += time_step_;
 }
 
 void Beams::for_each_pair(const Model& model, const PairVisit& visit) const {

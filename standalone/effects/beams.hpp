@@ -26,6 +26,10 @@ struct BeamDemands {
   /// Whether bonds are judged where the hot loop cannot tell how strained they are, so that each is
   /// looked at in each step.
   bool looks_at_all() const;
+  bool feels_rate() const { return plasticity && follows_rate(plasticity->hardening); }
+  bool feels_temperature() const {
+    return plasticity && follows_temperature(plasticity->hardening);
+  }
   const YieldLaw* yield() const { return plasticity ? &plasticity->hardening : nullptr; }
   /// The limits of beams of each two materials over those of the laws; none: one material.
   std::vector<BeamPairing> pairings() const;
@@ -78,7 +82,7 @@ class Beams : public Mechanics {
   double spent(const Model& model) const override;
   /// Stress, plastic strain and state of the bonds, where they may flow or break.
   void show(const Model& model, Frame& frame) const override;
-  void finish_move(Model& model) const override;
+  void finish_move(Model& model) override;
 
   /// A bond at one instant, seen from element i, after the flow that the instant asks for.
   struct Bond {
@@ -107,14 +111,23 @@ class Beams : public Mechanics {
   /// Empties a slot.
   static void release(Model& model, std::size_t row, int lane);
 
+  /// Fits the strains up to which bonds surely do not flow to the temperatures of now.
+  void refresh_limits(Model& model) const;
+
+  void state(Archive& archive) override;
+
   const BeamProperties& properties() const { return properties_; }
 
   /// The columns and figures that the hot loop works on; without a step and a list for what breaks.
   BeamMotion motion(Model& model) const;
 
  private:
-  BeamMotion columns_of(const Model& model) const;         ///< to be read alone
-  double limit_of(const LimitScale<double>& scale) const;  ///< of a new bond
+  BeamMotion columns_of(const Model& model) const;  ///< to be read alone
+  /// Of a new bond.
+  double limit_of(const LimitScale<double>& scale, double temperature) const;
+  /// Of a bond, where it counts, K; else 0.
+  double temperature_of(const Model& model, std::int32_t i, std::int32_t j) const;
+  double time_of_rates(const Model& model) const;
   NewBond new_bond(const Model& model, std::int32_t i, std::int32_t j, const Vector& chord) const;
   const YieldLaw* yield() const { return demands_.yield(); }
   const RuptureLaw* rupture() const { return demands_.rupture ? &demands_.rupture->law : nullptr; }
@@ -128,6 +141,9 @@ class Beams : public Mechanics {
   BeamSection<double> section_;    ///< of every beam, where all are alike
   BeamRigidity<double> rigidity_;  ///< likewise
   double least_limit_;             ///< strain up to which no new bond flows or breaks
+  double time_ = 0;                ///< of the pose, s
+  double time_step_ = 0;           ///< that led to it, s
+  double rate_time_ = 0;           ///< over which rates of flow are averaged, s
   std::vector<std::uint32_t> breaking_;
 };
 

@@ -9,6 +9,7 @@
 #include "effects/beams.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
+#include "model/error.hpp"
 
 namespace solidem {
 
@@ -183,6 +184,10 @@ void plan_beams(const Setup& setup, Plan& plan) {
   if (!beams) return;
   const BeamDemands demands = demands_of(setup);
   check_limits_of_materials(*beams, demands.plasticity.has_value(), demands.rupture.has_value());
+  if (demands.feels_temperature() && !setup.get<ConductionParameters>())
+    throw InputError(
+        "[plasticity] melting_temperature: nothing has a temperature; add a section [conduction], "
+        "or leave out melting_temperature and reference_temperature: bonds are cold then");
   std::string reason = "[beams]";
   if (beams->anisotropy) reason += " [beams.anisotropy]";
   if (beams->fibres) reason += " [beams.fibres]";

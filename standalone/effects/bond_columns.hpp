@@ -22,6 +22,7 @@ struct BondNeeds {
   bool measured_since_made;  ///< flow depends on the deformation since a bond was made
   bool differ;               ///< in section or stiffness
   bool limits_differ;        ///< of yield or rupture
+  bool feels_rate;           ///< yields otherwise when it flows fast
   bool may_flow_or_break;
   bool is_periodic;
   bool expands, softens;  ///< with temperature
@@ -84,6 +85,10 @@ inline const BondColumn bond_columns[] = {
     {&columns::plastic_extension, detail::remembers, -1,
      [](const NewBond&, double* to) { *to = 0; }},
     {&columns::plastic_strain, detail::remembers, 0, [](const NewBond&, double* to) { *to = 0; }},
+    {&columns::flow_rate, [](const BondNeeds& needs) { return needs.feels_rate; }, 0,
+     [](const NewBond&, double* to) { *to = 0; }},
+    {&columns::flow_time, [](const BondNeeds& needs) { return needs.feels_rate; }, 0,
+     [](const NewBond&, double* to) { *to = 0; }},
     {&columns::limit_strain, detail::remembers, unlimited,
      [](const NewBond& bond, double* to) { *to = bond.limit_strain; }},
     {&columns::bond_rigidity, [](const BondNeeds& needs) { return needs.differ; }, 1,

@@ -25,6 +25,16 @@ Key law_name_key(const char* key, std::string& name) {
   return may_have(key, choice<std::string>(name, names));
 }
 
+/// The rule of a parameter that is not given as a stress.
+template <class Law>
+Rule rule_of(const BondLawParameter<Law>& parameter, double& target) {
+  const Range& range = parameter.bound == LawBound::above_zero ? positive : not_negative;
+  if (parameter.unit == LawUnit::temperature)
+    return quantity(target, dimension::temperature, range);
+  if (parameter.unit == LawUnit::rate) return quantity(target, dimension::rate, range);
+  return number(target, range);
+}
+
 /// Keys of the parameters of a law of bonds: as numbers, and as stresses that stand for them times
 /// Young's modulus; `stresses` takes these until read_stresses().
 template <class Law>
@@ -32,7 +42,7 @@ std::vector<Key> bond_law_keys(Law& law, std::map<std::string, double>& stresses
   std::vector<Key> keys;
   for (const auto& parameter : Law::parameters()) {
     const Range& range = parameter.bound == LawBound::above_zero ? positive : not_negative;
-    keys.push_back(may_have(parameter.name, number(law.*parameter.member, range)));
+    keys.push_back(may_have(parameter.name, rule_of(parameter, law.*parameter.member)));
     if (parameter.stress_name != nullptr)
       keys.push_back(may_have(parameter.stress_name, quantity(stresses[parameter.stress_name],
                                                               dimension::modulus, range)));
@@ -126,7 +136,7 @@ void visit_law_keys(const std::string& section, const char* key, std::vector<Key
       const std::string meaning = std::string("of `") + law.name + "`: " + parameter.meaning;
       const Range& range = parameter.bound == LawBound::above_zero ? positive : not_negative;
       double ignored = 0;
-      keys.push_back(may_have(parameter.name, number(ignored, range))
+      keys.push_back(may_have(parameter.name, rule_of(parameter, ignored))
                          .means(meaning + (parameter.stress_name != nullptr ? ", over E" : ""))
                          .without(without_parameter(parameter)));
       if (parameter.stress_name != nullptr)

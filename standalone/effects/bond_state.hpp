@@ -6,6 +6,8 @@
 #ifndef SOLIDEM_EFFECTS_BOND_STATE_HPP
 #define SOLIDEM_EFFECTS_BOND_STATE_HPP
 
+#include <cmath>
+
 #include "laws/beam_flow.hpp"
 
 namespace solidem {
@@ -44,6 +46,26 @@ inline LimitScale<Real> limit_scale(const Motion& m, const Slot& slot) {
   if (m.bond_limits == nullptr) return {};
   return {false, slot.number(m.bond_limits, 3, 0), slot.number(m.bond_limits, 3, 1),
           slot.number(m.bond_limits, 3, 2)};
+}
+
+/// The yield curve of the bond in a slot, which has flowed to the plastic strain. `temperature`: of
+/// the bond, K; 0 where none counts. The rate of a bond is averaged over the time that is past, the
+/// less the longer ago: what is left of it fades while the bond does not flow.
+template <class Law, class Real, class Motion, class Slot>
+inline YieldCurve<Law, Real> yield_curve(const Law& law, const Motion& m, const Slot& slot,
+                                         const LimitScale<Real>& scale, const Real& temperature,
+                                         const Real& plastic_strain) {
+  YieldCurve<Law, Real> curve{law, {}, scale};
+  if constexpr (depends_on_state<Law>) {
+    using std::exp;
+    curve.state.temperature = temperature;
+    if (m.flow_rate == nullptr) return curve;
+    const Real since = Real(m.time) - slot.number(m.flow_time);
+    curve.state.rate = slot.number(m.flow_rate) * exp(-since / Real(m.rate_time));
+    curve.flow_start = plastic_strain;
+    curve.rate_per_flow = Real(m.rate_per_flow);
+  }
+  return curve;
 }
 
 /// Reads the bond in a slot. `Motion`: its columns, see BeamMotion; `Slot`: reads a number or a

@@ -184,6 +184,8 @@ double BondTemperature::refresh_block(std::size_t block, const Effects& now,
 }
 
 double BondTemperature::refresh(bool adopts_new_bonds, double time_step) {
+  if (demands_.yields_warm) beams_.refresh_limits(model_);
+  if (!demands_.changes_bonds()) return 0;
   Effects now = effects_now();
   const std::size_t blocks = model_.slots().blocks();
   std::vector<double> gained(blocks, 0.0);
@@ -215,7 +217,8 @@ void BondTemperature::note_stiffness() {
 }
 
 void BondTemperature::observe(const Model& /*model*/, Observation& observation) const {
-  observation.energies.add(EnergyLedger::Kind::input, "thermal_work", work_);
+  if (demands_.changes_bonds())
+    observation.energies.add(EnergyLedger::Kind::input, "thermal_work", work_);
 }
 
 void BondTemperature::state(Archive& archive) {
@@ -246,12 +249,18 @@ void finish_softening(const Section& section, SofteningParameters& /*p*/, Readin
     section.refuse("beams in mixed precision are all alike", "precision = \"double\" in [beams]");
 }
 
-/// One effect serves both sections; the one that comes first plans it.
+bool yields_warm(const Setup& setup) {
+  const auto& plasticity = setup.get<PlasticityParameters>();
+  return plasticity && follows_temperature(plasticity->hardening);
+}
+
+/// One effect serves both sections and yield laws; the one that comes first plans it.
 void plan_bond_temperature(const Setup& setup, Plan& plan) {
   const BondTemperature::Demands demands{setup.get<ExpansionParameters>(),
-                                         setup.get<SofteningParameters>()};
+                                         setup.get<SofteningParameters>(), yields_warm(setup)};
   std::string reason = demands.expansion ? "[expansion]" : "";
   if (demands.softening) reason += (reason.empty() ? "" : " ") + std::string("[softening]");
+  if (demands.yields_warm) reason += (reason.empty() ? "" : " ") + std::string("[plasticity]");
   plan.effects.push_back(
       {"temperature of bonds", reason, "", Phase::heat, [demands](Assembly& assembly) {
          return std::make_unique<BondTemperature>(
@@ -266,7 +275,7 @@ void plan_expansion(const Setup& setup, Plan& plan) {
 }
 
 void plan_softening(const Setup& setup, Plan& plan) {
-  if (setup.get<SofteningParameters>() && !setup.get<ExpansionParameters>())
+  if ((setup.get<SofteningParameters>() || yields_warm(setup)) && !setup.get<ExpansionParameters>())
     plan_bond_temperature(setup, plan);
 }
 

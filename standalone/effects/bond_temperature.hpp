@@ -22,7 +22,8 @@ struct SofteningParameters {
   TemperatureFunction modulus_ratio;  ///< to what [beams] gives
 };
 
-/// What temperatures change about bonds: their length free of load, and their stiffness.
+/// What temperatures change about bonds: their length free of load, their stiffness, and where they
+/// yield (of which the bounds of the hot loop are kept here).
 ///
 /// An element's thermal strain is ε(T) = ∫ α dT from the reference temperature, a bond's the mean
 /// of its ends', ½(ε_i + ε_j): either half of a beam has the temperature and the material of its
@@ -37,6 +38,8 @@ class BondTemperature : public FollowsTemperature {
   struct Demands {
     std::optional<ExpansionParameters> expansion;
     std::optional<SofteningParameters> softening;
+    bool yields_warm = false;  ///< beams yield otherwise when they are warm
+    bool changes_bonds() const { return expansion || softening; }
   };
   BondTemperature(Demands demands, ThermalProperties properties, double initial_temperature,
                   const Beams& beams, Model& model);

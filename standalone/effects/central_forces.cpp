@@ -253,7 +253,7 @@ void CentralForces::keep_neighbours() {
   list_outdated_ = false;
 }
 
-void CentralForces::finish_move(Model& model) const {
+void CentralForces::finish_move(Model& model) {
   model.swap(columns::position);
   if (model.has(columns::velocity_for_neighbours)) model.swap(columns::velocity_for_neighbours);
 }

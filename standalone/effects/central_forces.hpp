@@ -47,7 +47,7 @@ class CentralForces : public Mechanics {
   double typical_energy(const Model& /*model*/) const override { return depth_; }
   bool releases_energy() const override { return true; }
   void for_each_pair(const Model& model, const PairVisit& visit) const override;
-  void finish_move(Model& model) const override;
+  void finish_move(Model& model) override;
 
   /// Finds neighbours anew if elements have moved far enough.
   void keep_neighbours();

@@ -88,7 +88,7 @@ double FreeMotion::longest_time_step(double squared_frequency) const {
   return 2 / std::sqrt(squared_frequency);
 }
 
-void FreeMotion::finish_move(Model& model) const {
+void FreeMotion::finish_move(Model& model) {
   model.swap(columns::pose);
 }
 

@@ -32,7 +32,7 @@ class FreeMotion : public Mechanics {
   double mean_stiffness(const Model& /*model*/) const override { return stiffness_; }
   double typical_energy(const Model& /*model*/) const override { return 0; }
   void for_each_pair(const Model& /*model*/, const PairVisit& /*visit*/) const override {}
-  void finish_move(Model& model) const override;
+  void finish_move(Model& model) override;
 
  private:
   double stiffness_;

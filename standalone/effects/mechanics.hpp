@@ -44,7 +44,7 @@ class Mechanics : public Effect {
   virtual void for_each_pair(const Model& model, const PairVisit& visit) const = 0;
 
   /// Makes the new poses those that hold, once all that moves elements has acted.
-  virtual void finish_move(Model& model) const = 0;
+  virtual void finish_move(Model& model) = 0;
 };
 
 }  // namespace solidem

@@ -72,6 +72,7 @@ struct PlasticityParameters {
   Law law = Law::radial_return;
   YieldLaw hardening;
   JudgedSection section = JudgedSection::middle;
+  std::optional<double> rate_time{};  ///< over which rates of flow are averaged, s
 };
 
 /// Rupture of beam bonds.

@@ -19,7 +19,10 @@ Key flow_rule_key(PlasticityParameters& p) {
 }
 
 std::vector<Key> own_keys(PlasticityParameters& p) {
-  return {flow_rule_key(p), section_key(p.section)};
+  return {flow_rule_key(p), section_key(p.section),
+          may_have("rate_time", quantity(p.rate_time, dimension::time, positive))
+              .means("of laws that look at the rate of flow: over which that of a bond is averaged")
+              .without("a hundred times what sound takes through the stiffest bond")};
 }
 
 void read_plasticity(const Value& value, Reading& reading) {
@@ -30,6 +33,9 @@ void read_plasticity(const Value& value, Reading& reading) {
     if (p.law == Law::associated && p.section != JudgedSection::middle)
       section.refuse("section", "associated flow is of the resultants at mid-length",
                      "section = \"middle\", or another law");
+    if (p.rate_time && !follows_rate(p.hardening))
+      section.refuse("rate_time", "this law does not look at the rate of flow",
+                     "hardening = \"johnson-cook\" with a rate_sensitivity");
     if (!beams) return;  // refused as a whole
     if (beams->precision == BeamParameters::Precision::mixed)
       section.refuse("beams in mixed precision are elastic", "precision = \"double\" in [beams]");

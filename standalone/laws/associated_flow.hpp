@@ -57,7 +57,9 @@ constexpr std::pair<Number, Number> strain_after(const ResultantStrain<Number>& 
 }  // namespace detail
 
 /// Associated flow of a beam strained to ε_e. What is left beyond the surface falls with x and is
-/// convex for laws that harden ever less, so that Newton's method comes to its end from one side.
+/// convex for laws that harden ever less, so that Newton's method comes to its end from one side;
+/// where the first step goes too far, which it may for laws that begin infinitely steep, the
+/// bracket is halved.
 template <class Law, class Real>
 constexpr AssociatedFlow<Real> associated_flow(const YieldCurve<Law, Real>& yield,
                                                const ResultantStrain<Real>& strain,
@@ -70,13 +72,18 @@ constexpr AssociatedFlow<Real> associated_flow(const YieldCurve<Law, Real>& yiel
   const ResultantStrain<Varied> fixed{Varied{strain.normal}, Varied{strain.bending},
                                       Varied{strain.twist}};
   const auto flows = greater(equivalent, yield.limit(plastic_strain));
-  Real x{0.0};
+  Real x{0.0}, low{0.0};
   for (int n = 0; n < most_steps; ++n) {
     const Varied at{x, one};
     const Varied left = detail::strain_after(fixed, Varied{shear_ratio}, at).first;
     const Varied excess = left - yield.limit(Varied{plastic_strain} + at * left);
     const auto falls = both(flows, greater(none, excess.derivative));
-    const Real step = select(falls, -(excess.value / select(falls, excess.derivative, one)), none);
+    const auto beyond = greater(none, excess.value);  // what is sought
+    low = select(beyond, low, x);
+    const Real newton =
+        select(falls, -(excess.value / select(falls, excess.derivative, one)), none);
+    const auto leaves = both(beyond, greater(low, x + newton));
+    const Real step = select(leaves, Real{0.5} * (low - x), newton);
     x = detail::larger_of(x + step, none);
     if (!any(greater(abs(step), Real{4e-16} * (one + x)))) break;
   }

@@ -14,6 +14,9 @@ namespace solidem {
 /// The values that make sense.
 enum class LawBound { above_zero, from_zero };
 
+/// What a parameter is that is no stress.
+enum class LawUnit { number, temperature, rate };
+
 /// A parameter of a law, as a scene, a bond style or a script names it.
 template <class Law>
 struct BondLawParameter {
@@ -23,6 +26,7 @@ struct BondLawParameter {
   LawBound bound;
   bool is_required;  ///< otherwise a law without it has the initial value of the member
   const char* meaning;
+  LawUnit unit = LawUnit::number;  ///< K or 1/s
 
   constexpr bool allows(double value) const {
     return bound == LawBound::above_zero ? value > 0 : value >= 0;

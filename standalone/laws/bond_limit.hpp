@@ -46,12 +46,13 @@ constexpr Real strain_before_rupture(const RuptureLaw* rupture, const Real& plas
 
 /// Up to which it does neither.
 inline double limit_strain(const YieldLaw* yield, FlowRule rule, const RuptureLaw* rupture,
-                           double plastic_strain, const LimitScale<double>& scale = {}) {
+                           double plastic_strain, const LimitScale<double>& scale = {},
+                           double temperature = 0) {
   const double before_rupture = strain_before_rupture(rupture, plastic_strain, scale);
   if (yield == nullptr) return before_rupture;
   return std::visit(
       [&](const auto& law) {
-        const YieldCurve<std::decay_t<decltype(law)>, double> curve{law, {}, scale};
+        const YieldCurve<std::decay_t<decltype(law)>, double> curve{law, {temperature}, scale};
         return smaller_of(strain_before_flow(curve, rule, plastic_strain), before_rupture);
       },
       *yield);

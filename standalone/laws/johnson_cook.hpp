@@ -5,7 +5,8 @@
 // Source: Johnson & Cook, Proc. 7th Int. Symp. Ballistics, 541 (1983):
 //   ε_y(κ, κ̇, T) = (a + b κ^n) (1 + C ln(κ̇ / κ̇_0)) (1 − T*^m),  T* = (T − T_ref)/(T_melt − T_ref),
 // a = A / E and b = B / E. The logarithm is cut below κ̇_0, where the rate counts no more; T* is cut
-// to [0, 1]: below T_ref temperature counts no more, and from T_melt on nothing is borne.
+// to [0, 1]: below T_ref temperature counts no more, and from T_melt on nothing is borne. Without C
+// the rate, without T_melt the temperature does not count.
 #ifndef SOLIDEM_LAWS_JOHNSON_COOK_HPP
 #define SOLIDEM_LAWS_JOHNSON_COOK_HPP
 
@@ -18,37 +19,46 @@
 namespace solidem {
 
 struct JohnsonCook {
-  double yield_strain = 0;           ///< a
-  double hardening_strain = 0;       ///< b
-  double hardening_exponent = 1;     ///< n
-  double rate_sensitivity = 0;       ///< C
-  double reference_rate = 1;         ///< κ̇_0, 1/s
-  double softening_exponent = 1;     ///< m
-  double reference_temperature = 0;  ///< T_ref, K
-  double melting_temperature = 0;    ///< T_melt, K
+  double yield_strain = 0;                ///< a
+  double hardening_strain = 0;            ///< b
+  double hardening_exponent = 1;          ///< n
+  double rate_sensitivity = 0;            ///< C
+  double reference_rate = 1;              ///< κ̇_0, 1/s
+  double softening_exponent = 1;          ///< m
+  double reference_temperature = 0;       ///< T_ref, K
+  double melting_temperature = HUGE_VAL;  ///< T_melt, K
+
+  static constexpr bool depends_on_state = true;
+  constexpr bool follows_temperature() const { return melting_temperature < HUGE_VAL; }
+  constexpr bool follows_rate() const { return rate_sensitivity > 0; }
 
   static constexpr const char* name = "johnson-cook";
   static constexpr std::array<BondLawParameter<JohnsonCook>, 8> parameters() {
-    return {{{"yield_strain", "yield_stress", &JohnsonCook::yield_strain, LawBound::above_zero,
-              true, "A / E, at which a bond first flows, cold and slow"},
-             {"hardening_strain", "hardening_stress", &JohnsonCook::hardening_strain,
-              LawBound::from_zero, true, "B / E, what it gains up to a plastic strain of 1"},
-             {"hardening_exponent", nullptr, &JohnsonCook::hardening_exponent, LawBound::above_zero,
-              true, "n of the plastic strain"},
-             {"rate_sensitivity", nullptr, &JohnsonCook::rate_sensitivity, LawBound::from_zero,
-              false, "C, what a rate e times as large adds"},
-             {"reference_rate", nullptr, &JohnsonCook::reference_rate, LawBound::above_zero, false,
-              "of the plastic strain, 1/s, below which the rate does not count"},
-             {"softening_exponent", nullptr, &JohnsonCook::softening_exponent, LawBound::above_zero,
-              false, "m of the homologous temperature"},
-             {"reference_temperature", nullptr, &JohnsonCook::reference_temperature,
-              LawBound::from_zero, true, "K, below which temperature does not count"},
-             {"melting_temperature", nullptr, &JohnsonCook::melting_temperature,
-              LawBound::above_zero, true, "K, from which on nothing is borne"}}};
+    return {
+        {{"yield_strain", "yield_stress", &JohnsonCook::yield_strain, LawBound::above_zero, true,
+          "A / E, at which a bond first flows, cold and slow"},
+         {"hardening_strain", "hardening_stress", &JohnsonCook::hardening_strain,
+          LawBound::from_zero, true, "B / E, what it gains up to a plastic strain of 1"},
+         {"hardening_exponent", nullptr, &JohnsonCook::hardening_exponent, LawBound::above_zero,
+          true, "n of the plastic strain"},
+         {"rate_sensitivity", nullptr, &JohnsonCook::rate_sensitivity, LawBound::from_zero, false,
+          "C, what a rate e times as large adds"},
+         {"reference_rate", nullptr, &JohnsonCook::reference_rate, LawBound::above_zero, false,
+          "of the plastic strain, below which the rate does not count", LawUnit::rate},
+         {"softening_exponent", nullptr, &JohnsonCook::softening_exponent, LawBound::above_zero,
+          false, "m of the homologous temperature"},
+         {"reference_temperature", nullptr, &JohnsonCook::reference_temperature,
+          LawBound::from_zero, false, "below which temperature does not count",
+          LawUnit::temperature},
+         {"melting_temperature", nullptr, &JohnsonCook::melting_temperature, LawBound::above_zero,
+          false, "from which on nothing is borne", LawUnit::temperature}}};
   }
 
   /// What is wrong with the parameters together; null: nothing.
   constexpr const char* complaint() const {
+    if (!follows_temperature())
+      return reference_temperature == 0 ? nullptr : "melting_temperature is needed too";
+    if (reference_temperature == 0) return "reference_temperature is needed too";
     return melting_temperature > reference_temperature
                ? nullptr
                : "melting_temperature must be above reference_temperature";

@@ -10,6 +10,8 @@
 //   returned(ε, κ)                the strain ε' that a return from ε leaves, ε' = ε_y(κ + ε − ε');
 //                                 else found by Newton's method
 //   total_limit(κ)                ε_y(κ) + κ
+// A law that looks at the state says so (`depends_on_state`), and whether it does with the
+// parameters it has, in follows_temperature() and follows_rate(). Its limit is least at rest.
 #ifndef SOLIDEM_LAWS_YIELD_LAW_HPP
 #define SOLIDEM_LAWS_YIELD_LAW_HPP
 
@@ -45,6 +47,11 @@ template <class Law, class Real>
 struct OffersReturn<Law, Real, std::void_t<decltype(any_law<Law>->returned(Real{0.0}, Real{0.0}))>>
     : std::true_type {};
 
+template <class Law, class = void>
+struct DependsOnState : std::false_type {};
+template <class Law>
+struct DependsOnState<Law, std::void_t<decltype(Law::depends_on_state)>> : std::true_type {};
+
 template <class Law, class Real, class = void>
 struct OffersTotalLimit : std::false_type {};
 template <class Law, class Real>
@@ -53,26 +60,45 @@ struct OffersTotalLimit<Law, Real, std::void_t<decltype(any_law<Law>->total_limi
 
 }  // namespace detail
 
+/// Whether a law looks at temperature or rate.
+template <class Law>
+inline constexpr bool depends_on_state = detail::DependsOnState<Law>::value;
+
 /// A yield law in a state, of a bond of some scale: the yield strain as a function of the plastic
-/// strain alone.
+/// strain alone. The rate of a bond is what is left of the rate that it had, and what it flows now.
 template <class Law, class Real>
 struct YieldCurve {
   const Law& law;
   YieldState<Real> state{};
   LimitScale<Real> scale{};
+  Real flow_start{0.0};     ///< κ at which the rate is that of the state
+  Real rate_per_flow{0.0};  ///< what a flow adds to it, 1/s
+
+  /// κ̇, of a bond that has flowed on to κ.
+  template <class Number>
+  constexpr Number rate(const Number& plastic_strain) const {
+    return Number{state.rate} + Number{rate_per_flow} * (plastic_strain - Number{flow_start});
+  }
 
   /// ε_y(κ), for the scalar of the curve or a dual number of it.
   template <class Number>
   constexpr Number limit(const Number& plastic_strain) const {
-    const YieldState<Number> same{Number{state.temperature}, Number{state.rate}};
-    if (scale.is_one) return law.limit(plastic_strain, same);
-    return Number{scale.yield} * law.limit(plastic_strain / Number{scale.plastic}, same);
+    YieldState<Number> at{Number{state.temperature}, Number{state.rate}};
+    if constexpr (depends_on_state<Law>) at.rate = rate(plastic_strain);
+    if (scale.is_one) return law.limit(plastic_strain, at);
+    return Number{scale.yield} * law.limit(plastic_strain / Number{scale.plastic}, at);
   }
 
-  /// What ε_y is not below at κ.
+  /// What ε_y is not below at κ while the temperature stays, at any rate.
   constexpr Real lower_bound(const Real& plastic_strain) const {
-    if (scale.is_one) return law.lower_bound(plastic_strain);
-    return scale.yield * law.lower_bound(plastic_strain / scale.plastic);
+    const auto bound = [this](const Real& at) {
+      if constexpr (depends_on_state<Law>)
+        return law.limit(at, YieldState<Real>{state.temperature, Real{0.0}});
+      else
+        return law.lower_bound(at);
+    };
+    if (scale.is_one) return bound(plastic_strain);
+    return scale.yield * bound(plastic_strain / scale.plastic);
   }
 
   /// dε_y / dκ

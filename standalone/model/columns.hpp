@@ -151,6 +151,11 @@ inline constexpr Column plastic_twist{"plastic_twist", Site::slot,   Layout::lan
                                       "rad",           "of the beam"};
 inline constexpr Column plastic_strain{
     "plastic_strain", Site::slot, Layout::lanes, 1, 1, true, "1", "of the beam, equivalent"};
+inline constexpr Column flow_rate{
+    "flow_rate", Site::slot, Layout::lanes, 1, 1, true, "1/s", "of the plastic strain of the beam"};
+inline constexpr Column flow_time{
+    "flow_time", Site::slot, Layout::lanes, 1,
+    1,           true,       "s",           "when the beam last flowed, at that rate"};
 inline constexpr Column limit_strain{
     "limit_strain",
     Site::slot,

@@ -109,6 +109,67 @@ TEST(YieldLaws, a_return_ends_on_the_yield_curve_of_any_law) {
   });
 }
 
+TEST(YieldLaws, a_scaled_curve_is_the_law_with_its_stresses_and_plastic_strains_scaled) {
+  const LimitScale<double> scale{false, 0.6, 2.0, 1.0};
+  YieldLaws::for_each([&](auto empty) {
+    const auto law = typical<decltype(empty)>();
+    const YieldCurve<decltype(empty), double> curve{law, {}, scale};
+    for (const double before : {0.0, 1e-3, 0.05}) {
+      EXPECT_DOUBLE_EQ(curve.limit(before), 0.6 * law.limit(before / 2, YieldState<double>{}));
+      EXPECT_LE(curve.lower_bound(before), curve.limit(before));
+      EXPECT_DOUBLE_EQ(curve.total_limit(before), curve.limit(before) + before);
+      const double strain = curve.limit(before) + 0.01;
+      const double after = returned_strain(curve, strain, before);
+      EXPECT_NEAR(after, curve.limit(before + strain - after), 1e-15) << law.name;
+    }
+  });
+  // Linear hardening of another material is linear hardening.
+  const LinearHardening law = linear(0.05), own{0.6 * 2e-3, 0.6 / 2 * 0.05};
+  const YieldCurve<LinearHardening, double> curve{law, {}, scale}, expected{own};
+  for (const double before : {0.0, 1e-3, 0.05}) {
+    EXPECT_NEAR(curve.slope(before), expected.slope(before), 1e-15);
+    EXPECT_NEAR(returned_strain(curve, 0.03, before), returned_strain(expected, 0.03, before),
+                1e-16);
+  }
+}
+
+JohnsonCook fast_metal() {
+  JohnsonCook law;
+  law.yield_strain = 3e-3;
+  law.hardening_strain = 4e-3;
+  law.hardening_exponent = 0.25;
+  law.rate_sensitivity = 0.025;
+  return law;
+}
+
+TEST(YieldLaws, a_return_ends_at_the_rate_that_it_makes) {
+  const JohnsonCook law = fast_metal();
+  YieldCurve<JohnsonCook, double> curve{law, {0, 50}};
+  for (const double per_flow : {0.0, 1.0, 1e6, 1e12}) {
+    curve.rate_per_flow = per_flow;
+    for (const double before : {0.0, 1e-3, 0.1}) {
+      curve.flow_start = before;
+      const double strain = curve.limit(before) + 2e-3;
+      const double after = returned_strain(curve, strain, before);
+      const double flow = strain - after, rate = 50 + per_flow * flow;
+      EXPECT_GE(flow, 0);
+      EXPECT_NEAR(after, law.limit(before + flow, YieldState<double>{0, rate}), 1e-15);
+      EXPECT_GE(after, curve.lower_bound(before));
+    }
+  }
+}
+
+TEST(YieldLaws, associated_flow_finds_a_curve_that_begins_infinitely_steep) {
+  const JohnsonCook law = fast_metal();
+  const YieldCurve<JohnsonCook, double> curve{law};
+  for (const double over : {1e-9, 1e-6, 1e-3, 0.1}) {
+    const ResultantStrain<double> strain{law.yield_strain + over, 0, 0};
+    const AssociatedFlow<double> flow = associated_flow(curve, strain, 0.4, strain.normal, 0.0);
+    const double expected = returned_strain(curve, strain.normal, 0.0);  // in tension alone
+    EXPECT_NEAR(flow.elastic_strain, expected, 1e-5 * over) << over;
+  }
+}
+
 /// Strength that falls steeply and then stays: its derivative is below −1 on the way.
 struct Softening {
   template <class Real>

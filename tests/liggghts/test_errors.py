@@ -50,7 +50,18 @@ WRONG = {
     ),
     "unknown hardening": (
         BEAM.replace("0.3", "0.3 plasticity radial-return ludvik yield_strain 1e-3"),
-        "unknown hardening 'ludvik'; known are linear, voce",
+        "unknown hardening 'ludvik'; known are linear, voce, johnson-cook",
+    ),
+    "a rate that bonds do not know": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return johnson-cook yield_strain 1e-3 "
+                            "hardening_strain 1e-3 hardening_exponent 0.3 rate_sensitivity 0.02"),
+        "bonds do not know their rate of flow here",
+    ),
+    "a temperature that bonds do not know": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return johnson-cook yield_strain 1e-3 "
+                            "hardening_strain 1e-3 hardening_exponent 0.3 "
+                            "reference_temperature 300 melting_temperature 900"),
+        "bonds do not know their temperature here",
     ),
     "hardening without a parameter": (
         BEAM.replace("0.3", "0.3 plasticity radial-return voce yield_strain 1e-3 plastic_scale 1"),

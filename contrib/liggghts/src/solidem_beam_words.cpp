@@ -165,6 +165,12 @@ void read_plasticity(Words& words, SolidemBeam& beam) {
     beam.hardening = linear;
   } else {
     read_bond_law<solidem::YieldLaws>(words, "hardening", beam.young_modulus, beam.hardening);
+    if (solidem::follows_rate(beam.hardening))
+      words.fail("bonds do not know their rate of flow here: leave out rate_sensitivity");
+    if (solidem::follows_temperature(beam.hardening))
+      words.fail(
+          "bonds do not know their temperature here: leave out melting_temperature and "
+          "reference_temperature");
   }
 }
 

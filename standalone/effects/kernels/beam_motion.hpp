@@ -49,8 +49,9 @@ struct CompiledFor {
 };
 
 /// What is known of bonds that reach a limit: the rest is asked for when they do.
-template <bool rotation, bool history>
+template <bool rotation, bool history, bool own_limits>
 struct LimitedKind {
+  static constexpr bool has_own_limits = own_limits;  ///< materials differ in them
   static constexpr bool has_rotation = rotation;
   static constexpr bool remembers = history;
   bool per_bond_rigidity;
@@ -113,11 +114,13 @@ struct NoFlow {};
 
 /// The elements of a pack, as their bonds see them.
 struct OwnEnds {
+  std::size_t element;  ///< the first
   PackVector position;
   Quaternion<Pack> turned, turned_back;
   Rotation<Pack> rotation;
-  explicit OwnEnds(const Row& row)
-      : position(centre(row)),
+  OwnEnds(std::size_t first, const Row& row)
+      : element(first),
+        position(centre(row)),
         turned(orientation(row)),
         turned_back(conjugate(turned)),
         rotation(turned) {}
@@ -172,6 +175,25 @@ inline BeamModes<Pack> last_of(Kind kind, const BeamMotion& m, const SlotPlace& 
                     own_last.turn * orientation(other));
 }
 
+/// Temperature of bonds, where it counts: the mean of their ends'.
+inline Pack temperature_of(const BeamMotion& m, const SlotPlace& slot, const OwnEnds& own) {
+  if (m.temperature == nullptr) return Pack(0.0);
+  return Pack(0.5) * (Pack::load(m.temperature + own.element) +
+                      gather(m.temperature, m.neighbour + slot.of(1)));
+}
+
+/// Keeps how fast lanes flow.
+template <class Law>
+inline void keep_rate(const YieldCurve<Law, Pack>& yield, const BeamMotion& m,
+                      const SlotPlace& slot, Mask flowing, const Pack& plastic_strain) {
+  if constexpr (depends_on_state<Law>) {
+    if (m.flow_rate == nullptr) return;
+    double *rate = m.flow_rate + slot.of(1), *time = m.flow_time + slot.of(1);
+    select(flowing, yield.rate(plastic_strain), Pack::load(rate)).store(rate);
+    select(flowing, Pack(m.time), Pack::load(time)).store(time);
+  }
+}
+
 /// Keeps the history of lanes that flow.
 template <class Kind>
 inline void keep(Kind kind, const BeamMotion& m, const SlotPlace& slot, Mask flowing,
@@ -194,10 +216,17 @@ inline void refresh_limit(const YieldCurve<Law, Pack>& yield, const BeamMotion& 
   select(flowing, -limit, Pack::load(column)).store(column);
 }
 
+/// The limits of a pack of bonds over those of the laws.
+template <class Kind>
+inline LimitScale<Pack> scale_of(Kind kind, const BeamMotion& m, const SlotPlace& slot) {
+  if constexpr (kind.has_own_limits) return limit_scale<Pack>(m, slot);
+  return {};
+}
+
 /// Reports the lanes that break.
 inline void report(const BeamMotion& m, const SlotPlace& slot, Mask present,
-                   const BondStrain<Pack>& strain) {
-  const Mask breaking = both(present, breaks(*m.rupture, strain, limit_scale<Pack>(m, slot)));
+                   const BondStrain<Pack>& strain, const LimitScale<Pack>& scale) {
+  const Mask breaking = both(present, breaks(*m.rupture, strain, scale));
   if (!any(breaking)) return;
   for (int k = 0; k < width; ++k)
     if (breaking[k])
@@ -223,7 +252,8 @@ template <class Kind>
 inline SlotLoad unflowing_load(Kind kind, const BeamMotion& m, const SlotPlace& slot,
                                const LimitedBonds& at) {
   const BeamLoad<Pack> load = load_of(kind, at.bond);
-  if (m.rupture != nullptr) report(m, slot, is_bond(at.bond), strain_of(at));
+  if (m.rupture != nullptr)
+    report(m, slot, is_bond(at.bond), strain_of(at), scale_of(kind, m, slot));
   return {load.force, load.moment_i, {}};
 }
 
@@ -236,7 +266,10 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
   const BeamHistory<Pack>& before = bond.history;
   const PosedBeam<Pack> posed =
       posed_beam(kind, m, slot, rule, bond, own.rotation, own.turned, at.other_turned);
-  const YieldCurve<Law, Pack> yield{law, {}, limit_scale<Pack>(m, slot)};
+  Pack temperature(0.0);
+  if constexpr (depends_on_state<Law>) temperature = temperature_of(m, slot, own);
+  const YieldCurve<Law, Pack> yield =
+      yield_curve(law, m, slot, scale_of(kind, m, slot), temperature, before.strain);
   const BeamFlow<Pack> flow = beam_flow<rule>(yield, at.beam, before.strain, posed);
   const Mask present = is_bond(bond), flowing = both(present, greater(flow.strain, before.strain));
   if (!any(flowing)) return unflowing_load(kind, m, slot, at);
@@ -253,8 +286,9 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
     strains = select(flowing, strains, strain_of(at));
   }
   keep(kind, m, slot, flowing, before, response.history);
+  keep_rate(yield, m, slot, flowing, flow.strain);
   refresh_limit(yield, m, slot, flowing, flow.strain);
-  if (m.rupture != nullptr) report(m, slot, present, strains);
+  if (m.rupture != nullptr) report(m, slot, present, strains, yield.scale);
   return result;
 }
 
@@ -283,7 +317,7 @@ template <class Law, class Kind>
                                                     const SlotLoad& so_far) {
   constexpr bool flows = !std::is_same_v<Law, NoFlow>;
   const Kind kind{m.bond_rigidity != nullptr};
-  const OwnEnds own(Row::load(m.pose + 8 * element));
+  const OwnEnds own(element, Row::load(m.pose + 8 * element));
   const OwnLastEnds own_last(Row::load((flows ? m.last_pose : m.pose) + 8 * element), own.turned);
   SlotLoad sum = so_far;
   for (const std::size_t first = slot.row; slot.row < end_row; ++slot.row) {
@@ -309,20 +343,25 @@ using LimitedRows = RowSum (*)(const BeamMotion&, std::size_t element, SlotPlace
                                std::size_t end_row, const SlotLoad& so_far);
 
 /// Chosen once, outside the loops: they do not grow with the table of laws.
-template <bool has_rotation>
+template <bool has_rotation, bool own_limits>
 LimitedRows limited_rows_by_law(const BeamMotion& m) {
+  using Remembering = LimitedKind<has_rotation, true, own_limits>;
   if (m.yield == nullptr)
-    return m.watch == Watch::remembering ? limited_rows<NoFlow, LimitedKind<has_rotation, true>>
-                                         : limited_rows<NoFlow, LimitedKind<has_rotation, false>>;
+    return m.watch == Watch::remembering
+               ? limited_rows<NoFlow, Remembering>
+               : limited_rows<NoFlow, LimitedKind<has_rotation, false, own_limits>>;
   return std::visit(
       [](const auto& law) -> LimitedRows {
-        return limited_rows<std::decay_t<decltype(law)>, LimitedKind<has_rotation, true>>;
+        return limited_rows<std::decay_t<decltype(law)>, Remembering>;
       },
       *m.yield);
 }
 
 inline LimitedRows limited_rows_of(const BeamMotion& m) {
-  return m.has_rotation ? limited_rows_by_law<true>(m) : limited_rows_by_law<false>(m);
+  const bool own_limits = m.bond_limits != nullptr;
+  if (m.has_rotation)
+    return own_limits ? limited_rows_by_law<true, true>(m) : limited_rows_by_law<true, false>(m);
+  return own_limits ? limited_rows_by_law<false, true>(m) : limited_rows_by_law<false, false>(m);
 }
 
 template <bool has_rotation, bool per_bond_rigidity, Watch watch>

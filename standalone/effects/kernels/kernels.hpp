@@ -56,6 +56,12 @@ struct BeamMotion {
   double* plastic_work;
   const double* bond_radius;  ///< null: `radius` holds for every bond
   const double* bond_limits;  ///< null: the laws hold for every bond as they stand
+  const double* temperature;  ///< of the elements; null: it does not count
+  double* flow_rate;          ///< null: the rate does not count
+  double* flow_time;
+  double time;           ///< s, of the pose
+  double rate_time;      ///< s, over which rates are averaged
+  double rate_per_flow;  ///< 1/s, what a flow in this step adds to the rate
   double radius;
   double shear_ratio;          ///< G / E, where the bonds are all alike
   double common_limit_strain;  ///< of bonds that are watched
