@@ -268,9 +268,10 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
   const auto respond = [&](const auto& law) {
     const double temperature =
         m.temperature == nullptr ? 0 : 0.5 * (m.temperature[i] + m.temperature[j]);
-    const auto curve =
-        yield_curve(law, m, slot, limit_scale<double>(m, slot), temperature, now.history.strain);
-    return flow_response(m.flow_rule, curve, beam, now.history, at, before);
+    return with_scale(law, limit_scale<double>(m, slot), [&](const auto& own) {
+      const auto curve = yield_curve(own, m, slot, temperature, now.history.strain);
+      return flow_response(m.flow_rule, curve, beam, now.history, at, before);
+    });
   };
   return {i, j, chord, beam, std::visit(respond, *m.yield)};
 }

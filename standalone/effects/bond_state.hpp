@@ -53,9 +53,8 @@ inline LimitScale<Real> limit_scale(const Motion& m, const Slot& slot) {
 /// less the longer ago: what is left of it fades while the bond does not flow.
 template <class Law, class Real, class Motion, class Slot>
 inline YieldCurve<Law, Real> yield_curve(const Law& law, const Motion& m, const Slot& slot,
-                                         const LimitScale<Real>& scale, const Real& temperature,
-                                         const Real& plastic_strain) {
-  YieldCurve<Law, Real> curve{law, {}, scale};
+                                         const Real& temperature, const Real& plastic_strain) {
+  YieldCurve<Law, Real> curve{law};
   if constexpr (depends_on_state<Law>) {
     using std::exp;
     curve.state.temperature = temperature;

@@ -52,8 +52,10 @@ inline double limit_strain(const YieldLaw* yield, FlowRule rule, const RuptureLa
   if (yield == nullptr) return before_rupture;
   return std::visit(
       [&](const auto& law) {
-        const YieldCurve<std::decay_t<decltype(law)>, double> curve{law, {temperature}, scale};
-        return smaller_of(strain_before_flow(curve, rule, plastic_strain), before_rupture);
+        return with_scale(law, scale, [&](const auto& own) {
+          const YieldCurve<std::decay_t<decltype(own)>, double> curve{own, {temperature}};
+          return smaller_of(strain_before_flow(curve, rule, plastic_strain), before_rupture);
+        });
       },
       *yield);
 }
@@ -62,11 +64,13 @@ inline double limit_strain(const YieldLaw* yield, FlowRule rule, const RuptureLa
 template <class Real>
 constexpr auto breaks(const RuptureLaw& rupture, const BondStrain<Real>& strain,
                       const LimitScale<Real>& scale = {}) {
-  BondStrain<Real> seen = strain;
-  if (!scale.is_one)
-    for (Real* part : {&seen.equivalent, &seen.plastic, &seen.normal, &seen.bending, &seen.twist})
-      *part = *part / scale.rupture;
-  return std::visit([&](const auto& law) { return law.breaks(seen); }, rupture);
+  const auto seen_to_break = [&](const BondStrain<Real>& seen) {
+    return std::visit([&](const auto& law) { return law.breaks(seen); }, rupture);
+  };
+  if (scale.is_one) return seen_to_break(strain);
+  const Real& u = scale.rupture;
+  return seen_to_break({strain.equivalent / u, strain.plastic / u, strain.normal / u,
+                        strain.bending / u, strain.twist / u});
 }
 
 }  // namespace solidem

@@ -64,13 +64,41 @@ struct OffersTotalLimit<Law, Real, std::void_t<decltype(any_law<Law>->total_limi
 template <class Law>
 inline constexpr bool depends_on_state = detail::DependsOnState<Law>::value;
 
-/// A yield law in a state, of a bond of some scale: the yield strain as a function of the plastic
-/// strain alone. The rate of a bond is what is left of the rate that it had, and what it flows now.
+/// The law of a bond of some scale: a law itself, without the closed forms of the other.
+template <class Law, class Real>
+struct ScaledLaw {
+  const Law& law;
+  LimitScale<Real> scale;
+
+  template <class Number>
+  constexpr Number limit(const Number& plastic_strain, const YieldState<Number>& state) const {
+    return Number{scale.yield} * law.limit(plastic_strain / Number{scale.plastic}, state);
+  }
+
+  constexpr Real lower_bound(const Real& plastic_strain) const {
+    return scale.yield * law.lower_bound(plastic_strain / scale.plastic);
+  }
+};
+
+namespace detail {
+
+template <class Law, class Real>
+struct DependsOnState<ScaledLaw<Law, Real>> : DependsOnState<Law> {};
+
+}  // namespace detail
+
+/// act(law) with the law of a bond of some scale.
+template <class Law, class Real, class Act>
+constexpr auto with_scale(const Law& law, const LimitScale<Real>& scale, const Act& act) {
+  return scale.is_one ? act(law) : act(ScaledLaw<Law, Real>{law, scale});
+}
+
+/// A yield law in a state: the yield strain as a function of the plastic strain alone. The rate of
+/// a bond is what is left of the rate that it had, and what it flows now.
 template <class Law, class Real>
 struct YieldCurve {
   const Law& law;
   YieldState<Real> state{};
-  LimitScale<Real> scale{};
   Real flow_start{0.0};     ///< κ at which the rate is that of the state
   Real rate_per_flow{0.0};  ///< what a flow adds to it, 1/s
 
@@ -85,34 +113,31 @@ struct YieldCurve {
   constexpr Number limit(const Number& plastic_strain) const {
     YieldState<Number> at{Number{state.temperature}, Number{state.rate}};
     if constexpr (depends_on_state<Law>) at.rate = rate(plastic_strain);
-    if (scale.is_one) return law.limit(plastic_strain, at);
-    return Number{scale.yield} * law.limit(plastic_strain / Number{scale.plastic}, at);
+    return law.limit(plastic_strain, at);
   }
 
   /// What ε_y is not below at κ while the temperature stays, at any rate.
   constexpr Real lower_bound(const Real& plastic_strain) const {
-    const auto bound = [this](const Real& at) {
-      if constexpr (depends_on_state<Law>)
-        return law.limit(at, YieldState<Real>{state.temperature, Real{0.0}});
-      else
-        return law.lower_bound(at);
-    };
-    if (scale.is_one) return bound(plastic_strain);
-    return scale.yield * bound(plastic_strain / scale.plastic);
+    if constexpr (depends_on_state<Law>)
+      return law.limit(plastic_strain, YieldState<Real>{state.temperature, Real{0.0}});
+    else
+      return law.lower_bound(plastic_strain);
   }
 
   /// dε_y / dκ
   constexpr Real slope(const Real& plastic_strain) const {
     if constexpr (detail::OffersSlope<Law, Real>::value)
-      if (scale.is_one) return law.slope(plastic_strain, state);
-    return limit(DualNumber<Real>{plastic_strain, Real{1.0}}).derivative;
+      return law.slope(plastic_strain, state);
+    else
+      return limit(DualNumber<Real>{plastic_strain, Real{1.0}}).derivative;
   }
 
   /// ε_y(κ) + κ: the strain of a bond that has flowed in one direction only, where it flows again.
   constexpr Real total_limit(const Real& plastic_strain) const {
     if constexpr (detail::OffersTotalLimit<Law, Real>::value)
-      if (scale.is_one) return law.total_limit(plastic_strain);
-    return limit(plastic_strain) + plastic_strain;
+      return law.total_limit(plastic_strain);
+    else
+      return limit(plastic_strain) + plastic_strain;
   }
 };
 
@@ -150,8 +175,9 @@ template <class Law, class Real>
 constexpr Real returned_strain(const YieldCurve<Law, Real>& curve, const Real& strain,
                                const Real& plastic_strain) {
   if constexpr (detail::OffersReturn<Law, Real>::value)
-    if (curve.scale.is_one) return curve.law.returned(strain, plastic_strain);
-  return newton_return(curve, strain, plastic_strain);
+    return curve.law.returned(strain, plastic_strain);
+  else
+    return newton_return(curve, strain, plastic_strain);
 }
 
 }  // namespace solidem

@@ -113,7 +113,8 @@ TEST(YieldLaws, a_scaled_curve_is_the_law_with_its_stresses_and_plastic_strains_
   const LimitScale<double> scale{false, 0.6, 2.0, 1.0};
   YieldLaws::for_each([&](auto empty) {
     const auto law = typical<decltype(empty)>();
-    const YieldCurve<decltype(empty), double> curve{law, {}, scale};
+    const ScaledLaw<decltype(empty), double> scaled{law, scale};
+    const YieldCurve<ScaledLaw<decltype(empty), double>, double> curve{scaled};
     for (const double before : {0.0, 1e-3, 0.05}) {
       EXPECT_DOUBLE_EQ(curve.limit(before), 0.6 * law.limit(before / 2, YieldState<double>{}));
       EXPECT_LE(curve.lower_bound(before), curve.limit(before));
@@ -125,7 +126,9 @@ TEST(YieldLaws, a_scaled_curve_is_the_law_with_its_stresses_and_plastic_strains_
   });
   // Linear hardening of another material is linear hardening.
   const LinearHardening law = linear(0.05), own{0.6 * 2e-3, 0.6 / 2 * 0.05};
-  const YieldCurve<LinearHardening, double> curve{law, {}, scale}, expected{own};
+  const ScaledLaw<LinearHardening, double> scaled{law, scale};
+  const YieldCurve<ScaledLaw<LinearHardening, double>, double> curve{scaled};
+  const YieldCurve<LinearHardening, double> expected{own};
   for (const double before : {0.0, 1e-3, 0.05}) {
     EXPECT_NEAR(curve.slope(before), expected.slope(before), 1e-15);
     EXPECT_NEAR(returned_strain(curve, 0.03, before), returned_strain(expected, 0.03, before),

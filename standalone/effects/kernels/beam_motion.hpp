@@ -208,10 +208,11 @@ inline void keep(Kind kind, const BeamMotion& m, const SlotPlace& slot, Mask flo
 
 template <class Law>
 inline void refresh_limit(const YieldCurve<Law, Pack>& yield, const BeamMotion& m,
-                          const SlotPlace& slot, Mask flowing, const Pack& plastic_strain) {
+                          const SlotPlace& slot, Mask flowing, const Pack& plastic_strain,
+                          const LimitScale<Pack>& scale) {
   if (m.look_at_all) return;
   const Pack limit = smaller_of(strain_before_flow(yield, m.flow_rule, plastic_strain),
-                                strain_before_rupture(m.rupture, plastic_strain, yield.scale));
+                                strain_before_rupture(m.rupture, plastic_strain, scale));
   double* column = m.limit_strain + slot.of(1);
   select(flowing, -limit, Pack::load(column)).store(column);
 }
@@ -268,8 +269,7 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
       posed_beam(kind, m, slot, rule, bond, own.rotation, own.turned, at.other_turned);
   Pack temperature(0.0);
   if constexpr (depends_on_state<Law>) temperature = temperature_of(m, slot, own);
-  const YieldCurve<Law, Pack> yield =
-      yield_curve(law, m, slot, scale_of(kind, m, slot), temperature, before.strain);
+  const YieldCurve<Law, Pack> yield = yield_curve(law, m, slot, temperature, before.strain);
   const BeamFlow<Pack> flow = beam_flow<rule>(yield, at.beam, before.strain, posed);
   const Mask present = is_bond(bond), flowing = both(present, greater(flow.strain, before.strain));
   if (!any(flowing)) return unflowing_load(kind, m, slot, at);
@@ -287,8 +287,8 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
   }
   keep(kind, m, slot, flowing, before, response.history);
   keep_rate(yield, m, slot, flowing, flow.strain);
-  refresh_limit(yield, m, slot, flowing, flow.strain);
-  if (m.rupture != nullptr) report(m, slot, present, strains, yield.scale);
+  refresh_limit(yield, m, slot, flowing, flow.strain, scale_of(kind, m, slot));
+  if (m.rupture != nullptr) report(m, slot, present, strains, scale_of(kind, m, slot));
   return result;
 }
 
@@ -330,7 +330,13 @@ template <class Law, class Kind>
     if constexpr (flows) {
       const Law& law = *std::get_if<Law>(m.yield);
       sum = sum + by_rule(m.flow_rule, [&](auto rule) {
-              return flowing_load<decltype(rule)::value>(kind, law, m, slot, at, own, own_last);
+              constexpr FlowRule known = decltype(rule)::value;
+              if constexpr (Kind::has_own_limits) {
+                const ScaledLaw<Law, Pack> scaled{law, scale_of(kind, m, slot)};
+                return flowing_load<known>(kind, scaled, m, slot, at, own, own_last);
+              } else {
+                return flowing_load<known>(kind, law, m, slot, at, own, own_last);
+              }
             });
     } else {
       sum = sum + unflowing_load(kind, m, slot, at);
