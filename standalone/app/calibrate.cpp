@@ -171,50 +171,52 @@ std::vector<Specimen> make_specimens(const Scene& scene, int count) {
   return specimens;
 }
 
-void print_result(const Calibration& found, const std::string& file, const std::string& title) {
-  say("\n{}:{}\n", title, text_of(found.figures));
+void print_result(const Calibration& found, const std::string& file, const std::string& title,
+                  const Voice& tell) {
+  tell("\n{}:{}\n", title, text_of(found.figures));
   const Json uncertainty = uncertainty_of(found);
   if (!uncertainty.empty()) {
-    say("from specimen to specimen the parameters differ by");
+    tell("from specimen to specimen the parameters differ by");
     for (const auto& [key, value] : uncertainty.items())
-      say(" {} ± {:.2g}", key, value.get<double>());
-    say("\n");
+      tell(" {} ± {:.2g}", key, value.get<double>());
+    tell("\n");
   }
-  say("\n{}\n-> {}\n", bond_sections(found.bonds), file);
+  tell("\n{}\n-> {}\n", bond_sections(found.bonds), file);
 }
 
 }  // namespace
 
 int calibrate_scene(const CalibrateCommand& command) {
   using Clock = std::chrono::steady_clock;
+  const Voice tell{command.quiet};
   if (command.threads > 0) omp_set_num_threads(command.threads);
   const auto start = Clock::now();
   const Scene scene = read_scene(command.scene);
   if (!scene.calibration && !scene.orthotropic_calibration)
-    throw InputError(command.scene +
+    throw InputError(scene.path +
                      ": nothing to calibrate for; expected a section [calibration] with targets");
   const Setup& setup = scene.setup;
   if (setup.materials.size() > 1)
-    throw InputError(command.scene +
+    throw InputError(scene.path +
                      ": several [[material]]: a bar is calibrated for one; expected [material]");
-  const std::string directory =
-      command.output.empty() ? std::filesystem::path(command.scene).stem().string() + ".results"
-                             : command.output;
+  const std::string directory = command.output.empty()
+                                    ? std::filesystem::path(scene.path).stem().string() + ".results"
+                                    : command.output;
   const ResultsFolder folder(directory, {"calibration.json", "calibrated*.toml"},
                              command.overwrite ? Earlier::replace : Earlier::refuse);
   const std::vector<Specimen> specimens =
       make_specimens(scene, scene.calibration ? scene.calibration->specimens
                                               : scene.orthotropic_calibration->specimens);
-  say("{}: {} specimen(s) of {} elements, {} bonds in the first, from seed {}\n", scene.title,
-      specimens.size(), specimens[0].size(), specimens[0].bonds.size(), scene.specimen.seed);
+  tell("{}: {} specimen(s) of {} elements, {} bonds in the first, from seed {}\n", scene.title,
+       specimens.size(), specimens[0].size(), specimens[0].bonds.size(), scene.specimen.seed);
   if (specimens[0].report.count(estimated_volume) != 0)
-    throw InputError(command.scene +
+    throw InputError(scene.path +
                      ": [calibration] stress is force over the section of the body, which the "
                      "specimen's file does not tell; expected [specimen] shape or volume");
-  print_notes(notes_on(specimens[0], specimens[0].bonds));
+  if (!command.quiet) print_notes(notes_on(specimens[0], specimens[0].bonds));
 
   if (scene.orthotropic_calibration)
-    return calibrate_orthotropic_scene(scene, specimens, directory, folder);
+    return calibrate_orthotropic_scene(scene, specimens, directory, folder, tell);
 
   const CalibrationRequest& request = *scene.calibration;
   const BondParameters bonds{*setup.get<BeamParameters>(), setup.get<PlasticityParameters>(),
@@ -222,9 +224,9 @@ int calibrate_scene(const CalibrateCommand& command) {
   std::vector<Calibration> found(request.one_set ? 1 : specimens.size());
   std::mutex printing;
   const auto teller = [&](const std::string& prefix) {
-    return [&printing, prefix](const CalibrationTrial& trial) {
+    return [&printing, &tell, prefix](const CalibrationTrial& trial) {
       const std::lock_guard<std::mutex> lock(printing);
-      say("{}{}\n", prefix, text_of(trial));
+      tell("{}{}\n", prefix, text_of(trial));
       std::fflush(stdout);
     };
   };
@@ -244,13 +246,14 @@ int calibrate_scene(const CalibrateCommand& command) {
         directory + "/calibrated" +
         (request.one_set ? std::string() : fmt::format("_{}", scene.specimen.seed + k)) + ".toml";
     replace_text_file(file, bond_sections(found[k].bonds));
-    print_result(found[k], file, request.one_set ? "found" : name(k));
+    print_result(found[k], file, request.one_set ? "found" : name(k), tell);
     results.push_back(json_of(found[k]));
     for (const std::string& miss : found[k].misses) misses += "\n  " + miss;
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   write_summary(directory + "/calibration.json", {{"solidem", version()},
-                                                  {"scene", command.scene},
+                                                  {"scene", scene.path},
+                                                  {"set", scene.set},
                                                   {"elements", specimens[0].size()},
                                                   {"specimens", specimens.size()},
                                                   {"seed", scene.specimen.seed},
@@ -260,7 +263,7 @@ int calibrate_scene(const CalibrateCommand& command) {
                                                   {"wall_seconds", seconds},
                                                   {"threads", omp_get_max_threads()},
                                                   {"hardware", to_json(hardware())}});
-  say("in all {:.3g} s\n", seconds);
+  tell("in all {:.3g} s\n", seconds);
   if (misses.empty()) return 0;
   throw RunError("[calibration] not every target was met; the nearest parameters are in " +
                  directory + ":" + misses);

@@ -29,30 +29,32 @@ std::string text_of(std::size_t constant, double value) {
                               : fmt::format("{:.3f}", value);
 }
 
-void print_trial(const OrthotropicTrial& trial, double seconds) {
+void print_trial(const OrthotropicTrial& trial, double seconds, const Voice& tell) {
   const BeamParameters& beams = trial.beams;
   const Anisotropy& grain = *beams.anisotropy;
-  say("misfit {:7.4f}:  beams E_L {:.4g} GPa  E_R/E_L {:.3g}  E_T/E_L {:.3g}  exponent {:.3g}"
+  tell(
+      "misfit {:7.4f}:  beams E_L {:.4g} GPa  E_R/E_L {:.3g}  E_T/E_L {:.3g}  exponent {:.3g}"
       "  radius_ratio {:.3g}",
       trial.misfit, beams.young_modulus / 1e9, grain.radial_modulus / beams.young_modulus,
       grain.tangential_modulus / beams.young_modulus, grain.exponent, beams.radius_ratio);
-  if (beams.fibres) say("  fibres {:.3g}", beams.fibres->stiffness_ratio);
+  if (beams.fibres) tell("  fibres {:.3g}", beams.fibres->stiffness_ratio);
   const auto& e = trial.reached.front().young_modulus;
-  say("  -> E_L/E_T {:.3g}  ({:.2g} s)\n", e[0] / e[2], seconds);
+  tell("  -> E_L/E_T {:.3g}  ({:.2g} s)\n", e[0] / e[2], seconds);
   std::fflush(stdout);
 }
 
-void print_result(const OrthotropicRequest& request, const OrthotropicCalibration& found) {
-  say("\n{:<6} {:>12} {:>12} {:>9} {:>8}\n", "", "wanted", "reached", "± one", "missed by");
+void print_result(const OrthotropicRequest& request, const OrthotropicCalibration& found,
+                  const Voice& tell) {
+  tell("\n{:<6} {:>12} {:>12} {:>9} {:>8}\n", "", "wanted", "reached", "± one", "missed by");
   for (std::size_t c = 0; c < 9; ++c) {
-    say("{:<6} {:>12} {:>12}", constant_names[c],
-        request.target[c] ? text_of(c, *request.target[c]) : "free", text_of(c, found.mean[c]));
-    say(" {:>7.2g} %", 100 * found.deviation[c] / std::abs(found.mean[c]));
-    if (request.target[c]) say(" {:>+7.1f} %", 100 * (found.mean[c] / *request.target[c] - 1));
-    say("\n");
+    tell("{:<6} {:>12} {:>12}", constant_names[c],
+         request.target[c] ? text_of(c, *request.target[c]) : "free", text_of(c, found.mean[c]));
+    tell(" {:>7.2g} %", 100 * found.deviation[c] / std::abs(found.mean[c]));
+    if (request.target[c]) tell(" {:>+7.1f} %", 100 * (found.mean[c] / *request.target[c] - 1));
+    tell("\n");
   }
-  say("E_L/E_T {:.4g}, E_L/G_LT {:.4g}; from an orthotropic body {:.2g}\n",
-      found.mean[0] / found.mean[2], found.mean[0] / found.mean[4], found.coupling);
+  tell("E_L/E_T {:.4g}, E_L/G_LT {:.4g}; from an orthotropic body {:.2g}\n",
+       found.mean[0] / found.mean[2], found.mean[0] / found.mean[4], found.coupling);
 }
 
 Json by_name(const NineConstants& values) {
@@ -76,26 +78,27 @@ Json json_of(const BeamParameters& beams) {
 }  // namespace
 
 int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>& specimens,
-                                const std::string& directory, const ResultsFolder& folder) {
+                                const std::string& directory, const ResultsFolder& folder,
+                                const Voice& tell) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const OrthotropicRequest& request = *scene.orthotropic_calibration;
   auto last = start;
-  const OrthotropicCalibration found =
-      calibrate_orthotropic(request, *scene.setup.get<BeamParameters>(), specimens,
-                            [&last](const OrthotropicTrial& trial) {
-                              const auto now = Clock::now();
-                              print_trial(trial, std::chrono::duration<double>(now - last).count());
-                              last = now;
-                            });
-  print_result(request, found);
+  const OrthotropicCalibration found = calibrate_orthotropic(
+      request, *scene.setup.get<BeamParameters>(), specimens,
+      [&last, &tell](const OrthotropicTrial& trial) {
+        const auto now = Clock::now();
+        print_trial(trial, std::chrono::duration<double>(now - last).count(), tell);
+        last = now;
+      });
+  print_result(request, found, tell);
 
   const std::string sections =
       bond_sections({found.beams, scene.setup.get<PlasticityParameters>(),
                      scene.setup.get<RuptureParameters>(), scene.setup.get<ContactParameters>()});
   folder.begin();
   replace_text_file(directory + "/calibrated.toml", sections);
-  say("\n{}\n-> {}/calibrated.toml\n", sections, directory);
+  tell("\n{}\n-> {}/calibrated.toml\n", sections, directory);
 
   Json targets = Json::object(), trials = Json::array();
   for (std::size_t c = 0; c < 9; ++c)
@@ -110,6 +113,7 @@ int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>&
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   write_summary(directory + "/calibration.json", {{"solidem", version()},
                                                   {"scene", scene.path},
+                                                  {"set", scene.set},
                                                   {"elements", specimens[0].size()},
                                                   {"specimens", specimens.size()},
                                                   {"seed", scene.specimen.seed},
@@ -123,7 +127,7 @@ int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>&
                                                   {"wall_seconds", seconds},
                                                   {"threads", omp_get_max_threads()},
                                                   {"hardware", to_json(hardware())}});
-  say("in all {:.3g} s\n", seconds);
+  tell("in all {:.3g} s\n", seconds);
   if (found.misses.empty()) return 0;
   std::string misses;
   for (const std::string& miss : found.misses) misses += "\n  " + miss;

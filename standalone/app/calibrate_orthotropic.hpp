@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/say.hpp"
 #include "output/results_folder.hpp"
 #include "scene/scene.hpp"
 
@@ -14,7 +15,8 @@ namespace solidem {
 /// beside each target, writes calibrated.toml and calibration.json. The exit status; throws
 /// RunError when a target is missed, after all is written.
 int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>& specimens,
-                                const std::string& directory, const ResultsFolder& folder);
+                                const std::string& directory, const ResultsFolder& folder,
+                                const Voice& tell);
 
 }  // namespace solidem
 

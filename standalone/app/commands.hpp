@@ -5,13 +5,17 @@
 #ifndef SOLIDEM_APP_COMMANDS_HPP
 #define SOLIDEM_APP_COMMANDS_HPP
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "scene/scene.hpp"
 
 namespace solidem {
 
 struct RunCommand {
-  std::string scene, output;
+  SceneSource scene;
+  std::string output;
   int threads = 0;
   bool resume = false, overwrite = false, force = false, quiet = false;
 };
@@ -19,7 +23,7 @@ struct RunCommand {
 int run_scene(const RunCommand& command);
 
 struct ExplainCommand {
-  std::string scene;
+  SceneSource scene;
   bool json = false;
   bool force = false;  ///< accept a time step beyond the stable limit
   bool quick = false;  ///< try nothing, foretell nothing
@@ -28,44 +32,54 @@ struct ExplainCommand {
 /// beginning what it will cost, and whether the grips will make the body flow or break.
 void explain_scene(const ExplainCommand& command);
 
+struct SpecimenCommand {
+  SceneSource scene;
+  std::string output;
+  bool overwrite = false, json = false;
+};
 /// `solidem prepare`: the specimen with all that another code needs.
-void prepare_scene(const std::string& scene, const std::string& output, bool overwrite);
+void prepare_scene(const SpecimenCommand& command);
 
 /// `solidem specimen`: makes a scene's packing and prints its report.
-void make_scene_specimen(const std::string& scene, const std::string& output, bool overwrite);
+void make_scene_specimen(const SpecimenCommand& command);
 
 struct CalibrateCommand {
-  std::string scene, output;
+  SceneSource scene;
+  std::string output;
   int threads = 0;
-  bool overwrite = false;
+  bool overwrite = false, quiet = false;
 };
 /// `solidem calibrate`: the parameters of the beams with which a body has given properties. The
 /// exit status.
 int calibrate_scene(const CalibrateCommand& command);
 
 /// `solidem constants`: the elastic constants of a periodic body along the axes of its grain.
-void measure_constants(const std::string& scene, bool json);
+void measure_constants(const SceneSource& scene, bool json);
 
 struct SolveCommand {
-  std::string scene, output;
+  SceneSource scene;
+  std::string output;
   std::string rotations = "small";  ///< or "finite"
   int modes = 0;                    ///< natural vibrations to find
   int threads = 0;
   bool overwrite = false;
   bool quiet = false;  ///< prints nothing of the way there
+  bool json = false;   ///< prints the summary alone
 };
-/// `solidem solve`: the static equilibrium of a bonded scene at the end of its run.
+/// The static equilibrium of a bonded scene at the end of its run; its summary.
+nlohmann::ordered_json solve(const SolveCommand& command);
+/// `solidem solve`.
 void solve_scene(const SolveCommand& command);
 
 /// `solidem law list`: laws of central force, their parameters, units and meanings.
-void list_laws();
+void list_laws(bool json);
 
 struct LawPlotCommand {
   std::vector<std::string> words;  ///< names of laws and their parameters, scene files
   std::string equilibrium, range, interpenetration;  ///< "": what the scene says, or the default
   double from = -1, to = -1;  ///< over the distance of equilibrium; below 0: what shows most
   std::string output;         ///< without its ending
-  bool overwrite = false;
+  bool overwrite = false, json = false;
 };
 /// `solidem law plot`: force, stiffness and potential as CSV and SVG.
 void plot_laws(const LawPlotCommand& command);
@@ -78,7 +92,7 @@ std::string specimen_formats();
 
 /// `solidem convert`, `solidem info`.
 void convert_specimen(const std::string& from, const std::string& to, bool overwrite);
-void describe_specimen(const std::string& file);
+void describe_specimen(const std::string& file, bool json);
 
 }  // namespace solidem
 

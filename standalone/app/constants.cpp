@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/print_json.hpp"
 #include "app/say.hpp"
 #include "model/error.hpp"
 #include "scene/body.hpp"
@@ -30,10 +31,10 @@ std::string text_of(const Vector& v) {
 
 }  // namespace
 
-void measure_constants(const std::string& path, bool json) {
-  const Scene scene = read_scene(path);
+void measure_constants(const SceneSource& source, bool json) {
+  const Scene scene = read_scene(source);
   if (!scene.setup.get<BeamParameters>())
-    throw InputError(path + ": nothing is elastic; expected a section [beams]");
+    throw InputError(source.path + ": nothing is elastic; expected a section [beams]");
   const BeamParameters& beams = *scene.setup.get<BeamParameters>();
   const Specimen specimen = make_body(scene);
   const GrainAxes<double> axes =
@@ -49,21 +50,20 @@ void measure_constants(const std::string& path, bool json) {
   if (json) {
     Json figures = Json::object();
     for (std::size_t c = 0; c < 9; ++c) figures[constant_names[c]] = nine[c];
-    say("{}\n", Json{{"scene", scene.title},
-                     {"elements", specimen.size()},
-                     {"bonds", specimen.bonds.size()},
-                     {"fibres", fibres},
-                     {"axes",
-                      {{"L", json_of(axes.longitudinal)},
-                       {"R", json_of(axes.radial)},
-                       {"T", json_of(axes.tangential())}}},
-                     {"constants", figures},
-                     {"stiffness", measured.stiffness},
-                     {"compliance", inverse(measured.stiffness)},
-                     {"coupling", constants.coupling},
-                     {"asymmetry", measured.asymmetry},
-                     {"wall_seconds", seconds.count()}}
-                    .dump(2));
+    print_json({{"scene", scene.title},
+                {"elements", specimen.size()},
+                {"bonds", specimen.bonds.size()},
+                {"fibres", fibres},
+                {"axes",
+                 {{"L", json_of(axes.longitudinal)},
+                  {"R", json_of(axes.radial)},
+                  {"T", json_of(axes.tangential())}}},
+                {"constants", figures},
+                {"stiffness", measured.stiffness},
+                {"compliance", inverse(measured.stiffness)},
+                {"coupling", constants.coupling},
+                {"asymmetry", measured.asymmetry},
+                {"wall_seconds", seconds.count()}});
     return;
   }
   say("{}: {} elements, {} bonds of which {} are fibres\n", scene.title, specimen.size(),

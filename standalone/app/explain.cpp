@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/print_json.hpp"
 #include "app/say.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/heat_exchange.hpp"
@@ -266,7 +267,7 @@ void explain_scene(const ExplainCommand& command) {
   Json report = report_of(scene, simulation);
   if (!command.quick) report["forecast"] = forecast_of(simulation, preparation);
   if (command.json)
-    say("{}\n", report.dump(2));
+    print_json(report);
   else
     print(report);
 }

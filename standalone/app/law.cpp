@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
 #include "app/law_curve.hpp"
 #include "app/law_words.hpp"
+#include "app/print_json.hpp"
 #include "app/say.hpp"
 #include "model/error.hpp"
 #include "output/disk.hpp"
@@ -170,9 +172,30 @@ void print_figures(const ShownLaw& law) {
       std::sqrt(figures.stiffness / figures.deepest_stiffness));
 }
 
+nlohmann::ordered_json json_of(const std::vector<ShownLaw>& laws, const std::string& output) {
+  nlohmann::ordered_json json = {{"files", {output + ".csv", output + ".svg"}},
+                                 {"laws", nlohmann::ordered_json::array()}};
+  for (const ShownLaw& law : laws) {
+    const LawFigures figures = figures_of(law);
+    json["laws"].push_back({{"label", law.label},
+                            {"equilibrium", law.equilibrium},
+                            {"range", law.range},
+                            {"interpenetration", law.interpenetration},
+                            {"well", figures.well},
+                            {"stiffness", figures.stiffness},
+                            {"attraction", figures.attraction},
+                            {"attraction_distance", figures.attraction_distance},
+                            {"end_force", figures.end_force},
+                            {"deepest_force", figures.deepest_force},
+                            {"deepest_stiffness", figures.deepest_stiffness}});
+  }
+  return json;
+}
+
 }  // namespace
 
-void list_laws() {
+void list_laws(bool json) {
+  if (json) return print_json(json_of_laws());
   say("{}", list_of_laws());
 }
 
@@ -197,6 +220,7 @@ void plot_laws(const LawPlotCommand& command) {
   if (!folder.empty()) prepare_directory(folder.string());
   replace_text_file(command.output + ".csv", table_of(laws, from, to));
   replace_text_file(command.output + ".svg", svg_of(plot_of(laws, from, to)));
+  if (command.json) return print_json(json_of(laws, command.output));
   for (const ShownLaw& law : laws) print_figures(law);
   say("{0}.csv, {0}.svg\n", command.output);
 }

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "keys/nearest_name.hpp"
 #include "keys/units.hpp"
@@ -258,6 +259,20 @@ std::string list_of_laws() {
     }
   });
   return text;
+}
+
+nlohmann::ordered_json json_of_laws() {
+  nlohmann::ordered_json laws = nlohmann::ordered_json::array();
+  CentralLaws::for_each([&](auto law) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+    for (const auto& parameter : law.parameters())
+      parameters.push_back({{"name", parameter.name},
+                            {"unit", writing_of(parameter.quantity).unit},
+                            {"is_integer", parameter.quantity == LawQuantity::exponent},
+                            {"meaning", parameter.meaning}});
+    laws.push_back({{"name", law.name}, {"parameters", parameters}});
+  });
+  return laws;
 }
 
 }  // namespace solidem

@@ -5,6 +5,7 @@
 #ifndef SOLIDEM_APP_LAW_WORDS_HPP
 #define SOLIDEM_APP_LAW_WORDS_HPP
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ std::vector<ShownLaw> laws_from_words(const std::vector<std::string>& words,
 
 /// A table of all laws: parameters, units, meanings.
 std::string list_of_laws();
+/// The same for programs.
+nlohmann::ordered_json json_of_laws();
 
 }  // namespace solidem
 

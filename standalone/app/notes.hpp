@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "app/colours.hpp"
 #include "app/say.hpp"
 
 namespace solidem {
 
 /// Prints "note: ..." lines.
 inline void print_notes(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) say("note: {}\n", note);
+  for (const std::string& note : notes)
+    say("{} {}\n", with_look(Look::note, "note:", stdout), note);
 }
 
 }  // namespace solidem

@@ -5,10 +5,15 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 
+#include "app/closing.hpp"
+#include "app/colours.hpp"
 #include "app/commands.hpp"
 #include "app/notes.hpp"
 #include "app/say.hpp"
@@ -38,21 +43,35 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// A word as a shell takes it.
+std::string in_shell(const std::string& word) {
+  const bool is_plain = std::all_of(word.begin(), word.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::strchr("_./+:=@,-", c) != nullptr;
+  });
+  if (is_plain && !word.empty()) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 }  // namespace
 
 int run_scene(const RunCommand& command) {
+  const auto beginning = Clock::now();
   kernels();  // an impossible choice of instruction set must fail before any work
   if (command.threads > 0) omp_set_num_threads(command.threads);
   const Scene scene = read_scene(command.scene);
   if (!scene.setup.run.duration && !scene.setup.run.steps)
-    throw InputError(command.scene +
+    throw InputError(scene.path +
                      ": nothing says how long to run; expected a section [run] with duration or "
                      "steps (without it a scene serves solidem calibrate)");
   RunOptions options;
-  options.scene = command.scene;
+  options.scene = scene.path;
+  options.set = scene.set;
   options.fingerprint = fingerprint(scene);
   options.directory = command.output.empty()
-                          ? std::filesystem::path(command.scene).stem().string() + ".results"
+                          ? std::filesystem::path(scene.path).stem().string() + ".results"
                           : command.output;
   options.resume = command.resume;
   const ResultsFolder folder(options.directory, run_results(),
@@ -75,8 +94,8 @@ int run_scene(const RunCommand& command) {
       simulation.time_step().value, options.directory);
   print_notes(notes_of(simulation));
   if (simulation.time_step().value > simulation.time_step().limit)
-    say("warning: the time step is beyond the stable limit {:.4g} s, as forced\n",
-        simulation.time_step().limit);
+    say("{} the time step is beyond the stable limit {:.4g} s, as forced\n",
+        with_look(Look::note, "warning:", stdout), simulation.time_step().limit);
   std::fflush(stdout);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to tell, not an end
   // All that ask a program to end: by the keyboard, by another program, as the terminal closes, and
@@ -84,19 +103,25 @@ int run_scene(const RunCommand& command) {
   for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) std::signal(signal, on_interrupt);
   if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup asks
   folder.begin();
-  const bool completed = run(simulation, options);
+  const RunOutcome outcome = run(simulation, options);
   if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
     say("heat in time: {}\n", heat->integrator()->explanation());
   if (const CentralForces* forces = simulation.find<CentralForces>();
       forces != nullptr && forces->has_exceeded())
-    say("note: elements came as near as {:.3g} of their equilibrium distance overlapping, the "
+    say("{} elements came as near as {:.3g} of their equilibrium distance overlapping, the "
         "scene "
         "allows for {:.3g}; beyond it the law went on with its slope there ([central_forces] "
         "interpenetration)\n",
-        forces->largest_interpenetration(), forces->allowed_interpenetration());
-  if (completed) return 0;
+        with_look(Look::note, "note:", stdout), forces->largest_interpenetration(),
+        forces->allowed_interpenetration());
+  if (outcome.completed) {
+    say("{}", closing_lines(simulation, outcome, options.directory, seconds_since(beginning)));
+    return 0;
+  }
+  std::string words = in_shell(scene.path);
+  for (const std::string& assignment : scene.set) words += " --set " + in_shell(assignment);
   say("interrupted at step {}; go on with: solidem run {} --output {} --resume\n",
-      simulation.step(), command.scene, options.directory);
+      simulation.step(), words, in_shell(options.directory));
   return 130;
 }
 

@@ -17,6 +17,15 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
+/// Says things to people, or nothing where a program asked for figures alone.
+struct Voice {
+  bool is_silent;
+  template <class... Values>
+  void operator()(fmt::format_string<Values...> format, Values&&... values) const {
+    if (!is_silent) say(format, std::forward<Values>(values)...);
+  }
+};
+
 }  // namespace solidem
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/print_json.hpp"
 #include "app/say.hpp"
 #include "effects/beams.hpp"
 #include "effects/effect_kind.hpp"
@@ -149,7 +150,7 @@ Equilibrium find_equilibrium(const StaticScene& body, const SolveCommand& comman
   if (command.rotations == "small")
     return small_equilibrium(body.network, body.conditions.constraints, body.conditions.loads);
   FiniteOptions options;
-  if (!command.quiet)
+  if (!command.quiet && !command.json)
     options.report = [](double fraction, int corrections, double residual) {
       say("  {:6.4f} of the loads and displacements after {} corrections, residual {:.2g}\n",
           fraction, corrections, residual);
@@ -251,12 +252,13 @@ void insist_on_balance(const Scene& scene, const Equilibrium& equilibrium) {
 
 }  // namespace
 
-void solve_scene(const SolveCommand& command) {
+nlohmann::ordered_json solve(const SolveCommand& command) {
+  const Voice tell{command.json};
   if (command.threads > 0) omp_set_num_threads(command.threads);
   const Scene scene = read_scene(command.scene);
-  const std::string directory =
-      command.output.empty() ? std::filesystem::path(command.scene).stem().string() + ".results"
-                             : command.output;
+  const std::string directory = command.output.empty()
+                                    ? std::filesystem::path(scene.path).stem().string() + ".results"
+                                    : command.output;
   const ResultsFolder folder(directory, run_results(),
                              command.overwrite ? Earlier::replace : Earlier::refuse);
   std::map<std::string, double> seconds;
@@ -268,8 +270,8 @@ void solve_scene(const SolveCommand& command) {
   StaticScene body;
   set_up(scene, body);
   lap("set-up");
-  say("{}: {} elements, {} bonds, {} rotations, at {:.4g} s -> {}\n", scene.title,
-      body.specimen.size(), body.network.bonds.size(), command.rotations, body.time, directory);
+  tell("{}: {} elements, {} bonds, {} rotations, at {:.4g} s -> {}\n", scene.title,
+       body.specimen.size(), body.network.bonds.size(), command.rotations, body.time, directory);
   std::fflush(stdout);
 
   Equilibrium equilibrium;
@@ -293,7 +295,8 @@ void solve_scene(const SolveCommand& command) {
           : *std::max_element(equilibrium.bond_strain.begin(), equilibrium.bond_strain.end());
   Json summary;
   summary["solidem"] = version();
-  summary["scene"] = command.scene;
+  summary["scene"] = scene.path;
+  if (!scene.set.empty()) summary["set"] = scene.set;
   summary["rotations"] = command.rotations;
   summary["elements"] = body.specimen.size();
   summary["bonds"] = body.network.bonds.size();
@@ -308,8 +311,8 @@ void solve_scene(const SolveCommand& command) {
   summary["residual"] = equilibrium.residual;
   summary["energy"] = {{"elastic_energy", equilibrium.energy}};
   summary["largest_bond_strain"] = largest_strain;
-  say("elastic energy {:.6g} J, residual {:.2g}, largest bond strain {:.3g}\n", equilibrium.energy,
-      equilibrium.residual, largest_strain);
+  tell("elastic energy {:.6g} J, residual {:.2g}, largest bond strain {:.3g}\n", equilibrium.energy,
+       equilibrium.residual, largest_strain);
   if (scene.setup.gauge) {
     const GaugeMeasure gauge = measure_gauge(body.network, equilibrium, *scene.setup.gauge);
     const double lateral = 0.5 * (gauge.lateral_strain[0] + gauge.lateral_strain[1]);
@@ -317,8 +320,8 @@ void solve_scene(const SolveCommand& command) {
                         {"strain", gauge.strain},
                         {"lateral_strain", lateral},
                         {"lateral_strains", gauge.lateral_strain}};
-    say("gauge: stress {:.6g} Pa, strain {:.6g}, lateral strain {:.6g}\n", gauge.stress,
-        gauge.strain, lateral);
+    tell("gauge: stress {:.6g} Pa, strain {:.6g}, lateral strain {:.6g}\n", gauge.stress,
+         gauge.strain, lateral);
   }
   for (const GripParameters& grip : scene.setup.all<GripParameters>()) {
     const GripAction action = grip_action(select(grip.region, body.specimen), body.conditions,
@@ -326,9 +329,9 @@ void solve_scene(const SolveCommand& command) {
     summary["grips"][grip.name] = {{"force", json_of(action.force)},
                                    {"moment", json_of(action.moment)},
                                    {"displacement", json_of(action.displacement)}};
-    say("grip {}: force ({:.6g}, {:.6g}, {:.6g}) N, displacement ({:.4g}, {:.4g}, {:.4g}) m\n",
-        grip.name, action.force.x, action.force.y, action.force.z, action.displacement.x,
-        action.displacement.y, action.displacement.z);
+    tell("grip {}: force ({:.6g}, {:.6g}, {:.6g}) N, displacement ({:.4g}, {:.4g}, {:.4g}) m\n",
+         grip.name, action.force.x, action.force.y, action.force.z, action.displacement.x,
+         action.displacement.y, action.displacement.z);
   }
   for (const Sensor& sensor : scene.setup.sensors) {
     const auto e = static_cast<std::size_t>(nearest_element(body.specimen, sensor.point));
@@ -339,16 +342,22 @@ void solve_scene(const SolveCommand& command) {
   for (const Mode& mode : modes) {
     summary["frequencies"].push_back(mode.frequency);
     summary["mode_residuals"].push_back(mode.residual);
-    say("mode {}: {:.6g} Hz\n", summary["frequencies"].size(), mode.frequency);
+    tell("mode {}: {:.6g} Hz\n", summary["frequencies"].size(), mode.frequency);
   }
   add_notes(scene.setup, largest_strain, equilibrium, body.notes);
-  print_notes(body.notes);
+  if (!command.json) print_notes(body.notes);
   if (!body.notes.empty()) summary["notes"] = body.notes;
   summary["wall_seconds"] = seconds;
   summary["peak_memory_bytes"] = peak_memory_bytes();
   summary["threads"] = omp_get_max_threads();
   summary["hardware"] = to_json(hardware());
   write_summary(directory + "/summary.json", summary);
+  return summary;
+}
+
+void solve_scene(const SolveCommand& command) {
+  const Json summary = solve(command);
+  if (command.json) print_json(summary);
 }
 
 }  // namespace solidem

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
 #include "app/notes.hpp"
+#include "app/print_json.hpp"
 #include "app/say.hpp"
 #include "output/results_folder.hpp"
 #include "scene/body.hpp"
@@ -30,6 +33,42 @@ std::vector<std::string> notes_on_format(const Specimen& specimen, const std::st
   return notes;
 }
 
+std::vector<std::string> joined(std::vector<std::string> notes,
+                                const std::vector<std::string>& others) {
+  notes.insert(notes.end(), others.begin(), others.end());
+  return notes;
+}
+
+/// Figures that a report lacks, such as those of walls that are not known, are not numbers.
+nlohmann::ordered_json json_of(const std::string& file, const Specimen& specimen,
+                               const std::vector<std::string>& notes) {
+  const Domain& domain = specimen.domain;
+  const auto vector = [](const Vector& v) { return std::array<double, 3>{v.x, v.y, v.z}; };
+  nlohmann::ordered_json json = {{"file", file},
+                                 {"shape", domain.shape},
+                                 {"lower", vector(domain.lower)},
+                                 {"upper", vector(domain.upper)},
+                                 {"periodic", domain.periodic},
+                                 {"volume", domain.volume},
+                                 {"elements", specimen.size()},
+                                 {"bonds", specimen.bonds.size()},
+                                 {"bond_tolerance", nullptr},
+                                 {"sets", nlohmann::ordered_json::object()},
+                                 {"report", specimen.report},
+                                 {"notes", notes}};
+  if (specimen.bond_tolerance > -1) json["bond_tolerance"] = specimen.bond_tolerance;
+  for (const auto& [name, elements] : specimen.sets) json["sets"][name] = elements.size();
+  return json;
+}
+
+/// The report of a specimen, in words or for programs.
+void tell(const std::string& file, const Specimen& specimen, const std::vector<std::string>& notes,
+          bool json) {
+  if (json) return print_json(json_of(file, specimen, notes));
+  say("{}\n{}", file, format_report(specimen));
+  print_notes(notes);
+}
+
 }  // namespace
 
 std::string specimen_formats() {
@@ -50,9 +89,10 @@ files have the volume of their cells, cut at the spheres, and no walls, unless t
 ([specimen] volume, or shape and its measures).)";
 }
 
-void prepare_scene(const std::string& scene_path, const std::string& output, bool overwrite) {
-  insist_on_new_file(output, overwrite);
-  const Scene scene = read_scene(scene_path);
+void prepare_scene(const SpecimenCommand& command) {
+  const std::string& output = command.output;
+  insist_on_new_file(output, command.overwrite);
+  const Scene scene = read_scene(command.scene);
   // Whether the step is stable is for the run to judge: other codes may take another step.
   const Simulation simulation(scene.setup, make_body(scene), true);
   write_prepared(output, simulation);
@@ -61,14 +101,14 @@ void prepare_scene(const std::string& scene_path, const std::string& output, boo
   print_notes(notes_on(simulation.model().specimen(), simulation.pairs()));
 }
 
-void make_scene_specimen(const std::string& scene_path, const std::string& output, bool overwrite) {
-  insist_on_new_file(output, overwrite);
-  Specimen body = make_body(read_scene(scene_path));
+void make_scene_specimen(const SpecimenCommand& command) {
+  const std::string& output = command.output;
+  insist_on_new_file(output, command.overwrite);
+  Specimen body = make_body(read_scene(command.scene));
   measure_specimen(body);
   write_specimen(output, body);
-  say("{}\n{}", output, format_report(body));
-  print_notes(notes_on(body, body.bonds));
-  print_notes(notes_on_format(body, output));
+  tell(output, body, joined(notes_on(body, body.bonds), notes_on_format(body, output)),
+       command.json);
 }
 
 void convert_specimen(const std::string& from, const std::string& to, bool overwrite) {
@@ -81,12 +121,11 @@ void convert_specimen(const std::string& from, const std::string& to, bool overw
   print_notes(notes_on(specimen, specimen.bonds));
 }
 
-void describe_specimen(const std::string& file) {
+void describe_specimen(const std::string& file, bool json) {
   Specimen specimen = read_specimen(file);
   if (specimen.bonds.empty()) make_bonds(specimen, 0, BondImages::several);
   measure_specimen(specimen);
-  say("{}\n{}", file, format_report(specimen));
-  print_notes(notes_on(specimen, specimen.bonds));
+  tell(file, specimen, notes_on(specimen, specimen.bonds), json);
 }
 
 }  // namespace solidem

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -137,7 +138,7 @@ class Recorder {
     first_step_ = simulation.step();
   }
 
-  bool run() {
+  RunOutcome run() {
     const RunCounts counts = counts_of(simulation_);
     const std::int64_t last = counts.steps, frames = simulation_.setup().output.frames;
     const std::int64_t observe_every = counts.observe_every;
@@ -171,7 +172,7 @@ class Recorder {
     }
     const bool completed = simulation_.step() >= last;
     summarise(completed, completed ? "" : "interrupted");
-    return completed;
+    return {completed, last_row_, peak_row_};
   }
 
   RunCosts try_out() {
@@ -226,7 +227,7 @@ class Recorder {
   void advance(std::int64_t steps) {
     constexpr double is_long = 0.2;  // s
     kept_.reset();
-    if (seconds_per_step_ > is_long)
+    if (options_.ends_program && seconds_per_step_ > is_long)
       kept_ = Kept{simulation_.step(), simulation_.time(), simulation_.save(),
                    summary_of(false, "interrupted")};
     const Stopwatch stopwatch(seconds_["steps"]);
@@ -316,7 +317,18 @@ class Recorder {
   void write_row() {
     const Stopwatch stopwatch(seconds_["observation"]);
     last_row_ = simulation_.observe();
+    note_peak();
     history_->write_row(last_row_.step, last_row_.time, values_of(last_row_));
+  }
+
+  /// Keeps the row in which the gauge shows the largest stress.
+  void note_peak() {
+    for (const auto& [name, value] : last_row_.values) {
+      if (name != "gauge.stress" || (!peak_row_.values.empty() && std::abs(value) <= peak_stress_))
+        continue;
+      peak_stress_ = std::abs(value);
+      peak_row_ = last_row_;
+    }
   }
 
   void write_frame() {
@@ -377,6 +389,7 @@ class Recorder {
     nlohmann::ordered_json summary;
     summary["solidem"] = version();
     summary["scene"] = options_.scene;
+    if (!options_.set.empty()) summary["set"] = options_.set;
     summary["run"] = state_.run;
     summary["completed"] = completed;
     if (!reason.empty()) summary["stopped"] = reason;
@@ -414,6 +427,8 @@ class Recorder {
     summary["instruction_set"] = kernels().instruction_set;
     summary["hardware"] = to_json(hardware());
     for (const auto& [name, value] : last_row_.values) summary["final"][name] = value;
+    if (!peak_row_.values.empty()) summary["peak"]["time"] = peak_row_.time;
+    for (const auto& [name, value] : peak_row_.values) summary["peak"][name] = value;
     return summary;
   }
 
@@ -422,7 +437,8 @@ class Recorder {
   std::map<std::string, double> seconds_;
   std::vector<Pair> bonds_;  ///< at the start, where they are drawn
   std::int64_t first_step_ = 0;
-  HistoryRow last_row_{};
+  HistoryRow last_row_{}, peak_row_{};
+  double peak_stress_ = 0;                                  ///< of its row, Pa
   CheckpointHeader state_;                                  ///< of the last checkpoint
   std::vector<std::string> notes_ = notes_of(simulation_);  ///< of the start, and on the way
   std::optional<HistoryWriter> history_;
@@ -434,7 +450,7 @@ class Recorder {
 
 }  // namespace
 
-bool run(Simulation& simulation, const RunOptions& options) {
+RunOutcome run(Simulation& simulation, const RunOptions& options) {
   return Recorder(simulation, options).run();
 }
 

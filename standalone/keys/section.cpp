@@ -77,6 +77,9 @@ std::vector<Value> Value::entries(int size, const std::string& expected) const {
 }
 
 std::string Value::place() const {
+  // What was given beside the file says itself where.
+  if (const toml::source_path_ptr& source = node_.source().path; source && *source != file_)
+    return *source + ": ";
   const auto line = node_.source().begin.line;
   return file_ + (line > 0 && !label_.empty() ? ":" + std::to_string(line) : "") + ": ";
 }

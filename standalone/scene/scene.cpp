@@ -8,6 +8,7 @@
 #include "keys/rules.hpp"
 #include "model/error.hpp"
 #include "output/read_file.hpp"
+#include "scene/overrides.hpp"
 #include "scene/sections.hpp"
 
 namespace solidem {
@@ -99,9 +100,10 @@ bool Scene::takes_file() const {
                      [](const BodyRecipe& body) { return !body.recipe.file.empty(); });
 }
 
-Scene read_scene(const std::string& path) {
-  const std::string content = scene_text(path);
-  const toml::table file = parse(content, path);
+Scene read_scene(const SceneSource& source) {
+  const std::string& path = source.path;
+  toml::table file = parse(source.text ? *source.text : scene_text(path), path);
+  for (const std::string& assignment : source.set) override_value(file, assignment);
   if (file.empty())
     throw InputError(path +
                      ": empty; expected a scene: [specimen], [material], [beams], "
@@ -111,6 +113,7 @@ Scene read_scene(const std::string& path) {
 
   Scene scene;
   scene.path = path;
+  scene.set = source.set;
   scene.title = std::filesystem::path(path).stem().string();
   Setup& setup = scene.setup;
   const NamedEffects effects{names_what_provides(root, Provides::motion),
