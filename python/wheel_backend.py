@@ -2,7 +2,10 @@
 """Builds the wheel of `solidem` for `pip install .`: CMake compiles, this packs. It needs nothing
 but Python, CMake and what solidem is built with, so pip has nothing to fetch.
 
-The interface is that of PEP 517. The build goes on in build/wheel of the sources.
+The interface is that of PEP 517. The build goes on in build/wheel of the sources, or, with the
+setting `build-directory`, in a folder that CMake has configured already, which may hold the core:
+
+    pip install . --config-settings=build-directory=build/release
 """
 
 from __future__ import annotations
@@ -47,16 +50,44 @@ def _tag() -> str:
     return f"{interpreter}-{interpreter}-{platform}"
 
 
-def _compile() -> Path:
+def _python_of(build: Path) -> str:
+    """The interpreter that a build is for."""
+    cache = build / "CMakeCache.txt"
+    found = re.search(r"^_?Python_EXECUTABLE:\w+=(.+)$", cache.read_text() if cache.exists() else "",
+                      re.MULTILINE)
+    if found is None:
+        raise SystemExit(f"{build} builds no Python module; expected a folder that was configured "
+                         "with -DSOLIDEM_PYTHON=ON")
+    return found[1]
+
+
+def _configured(settings: dict[str, Any]) -> Path:
+    """The build directory, configured."""
+    unknown = set(settings) - {"build-directory"}
+    if unknown:
+        raise SystemExit(f"unknown setting {min(unknown)}; known: build-directory")
+    if "build-directory" not in settings:
+        subprocess.run(["cmake", "-S", str(ROOT), "-B", str(BUILD), "-DSOLIDEM_PYTHON=ON",
+                        "-DSOLIDEM_TESTS=OFF", "-DSOLIDEM_PRECOMPILED_HEADERS=ON",
+                        "-DCMAKE_BUILD_TYPE=Release", f"-DPython_EXECUTABLE={sys.executable}"],
+                       check=True)
+        return BUILD
+    build = ROOT / str(settings["build-directory"])
+    tell = [_python_of(build), "-c", "import sys; print(sys.implementation.cache_tag)"]
+    tag = subprocess.run(tell, check=True, capture_output=True, text=True).stdout.strip()
+    if tag != sys.implementation.cache_tag:
+        raise SystemExit(f"{build} builds the module for {tag}; this is "
+                         f"{sys.implementation.cache_tag}")
+    return build
+
+
+def _compile(settings: dict[str, Any]) -> Path:
     """Builds the package; its folder."""
-    command = ["cmake", "-S", str(ROOT), "-B", str(BUILD), "-DSOLIDEM_PYTHON=ON",
-               "-DSOLIDEM_TESTS=OFF", "-DSOLIDEM_PRECOMPILED_HEADERS=ON",
-               "-DCMAKE_BUILD_TYPE=Release", f"-DPython_EXECUTABLE={sys.executable}"]
-    subprocess.run(command, check=True)
+    build = _configured(settings)
     jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
-    subprocess.run(["cmake", "--build", str(BUILD), "--target", "solidem_python", "--parallel", jobs],
+    subprocess.run(["cmake", "--build", str(build), "--target", "solidem_python", "--parallel", jobs],
                    check=True)
-    return BUILD / "python" / "solidem"
+    return build / "python" / "solidem"
 
 
 class _Wheel:
@@ -81,7 +112,7 @@ class _Wheel:
 def build_wheel(wheel_directory: str, config_settings: dict[str, Any] | None = None,
                 metadata_directory: str | None = None) -> str:
     """Builds the wheel into a folder; its name."""
-    package = _compile()
+    package = _compile(config_settings or {})
     name = f"solidem-{_version()}-{_tag()}.whl"
     wheel = _Wheel(Path(wheel_directory) / name)
     for path in sorted(package.iterdir()):
@@ -100,8 +131,8 @@ def build_sdist(sdist_directory: str, config_settings: dict[str, Any] | None = N
     stem = f"solidem-{_version()}"
     with tarfile.open(Path(sdist_directory) / f"{stem}.tar.gz", "w:gz",
                       format=tarfile.PAX_FORMAT) as archive:
-        for name in ("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "docs/python.md",
-                     "standalone", "python"):
+        for name in ("CMakeLists.txt", "packages.cmake", "LICENSE", "README.md", "pyproject.toml",
+                     "docs/python.md", "standalone", "python"):
             archive.add(ROOT / name, f"{stem}/{name}",
                         filter=lambda entry: None if "__pycache__" in entry.name else entry)
         information = BUILD / "PKG-INFO"

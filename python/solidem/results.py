@@ -16,7 +16,7 @@ import numpy.typing as npt
 from ._core import InputError
 
 if TYPE_CHECKING:
-    import pandas
+    import pandas  # type: ignore[import]
 
 Floats = npt.NDArray[np.float64]
 
@@ -39,7 +39,7 @@ class History(Mapping[str, Floats]):
         if rows.shape[1] != len(names) or names[0] != "step":
             raise InputError(f"{os.fspath(path)}: no history; expected a row of names, \"step\" "
                              "first, and as many numbers in each row")
-        self._columns = dict(zip(names, rows.T))
+        self._columns: dict[str, Floats] = dict(zip(names, rows.T))
 
     def __getitem__(self, name: str) -> Floats:
         if name not in self._columns:
@@ -110,7 +110,7 @@ class Results:
     @property
     def frames(self) -> list[Frame]:
         """All frames of the trajectory; needs h5py."""
-        import h5py
+        import h5py  # type: ignore[import]
 
         frames = []
         with h5py.File(self._trajectory()) as file:

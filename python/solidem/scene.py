@@ -102,8 +102,11 @@ class Scene:
         folder, the results are kept as long as what is returned."""
         if rotations not in ("small", "finite"):
             raise ValueError(f"rotations = {rotations!r}: expected \"small\" or \"finite\"")
-        kept = tempfile.TemporaryDirectory(prefix="solidem_") if folder is None else None
-        place = os.fspath(folder) if kept is None else kept.name
+        kept = None
+        if folder is None:
+            kept = tempfile.TemporaryDirectory(prefix="solidem_")
+            folder = kept.name
+        place = os.fspath(folder)
         self._source.solve(place, rotations, modes, overwrite)
         return Results(place, _kept=kept)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python module as it was built: preset python."""
+"""The Python module as it was built beside the program."""
 
 from __future__ import annotations
 
@@ -12,15 +12,16 @@ from types import ModuleType
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGES = Path(os.environ.get("SOLIDEM_PYTHON", ROOT / "build" / "python" / "python"))
+PACKAGES = Path(os.environ.get("SOLIDEM_PYTHON", ROOT / "build" / "release" / "python"))
 
 
 @pytest.fixture(scope="session")
 def solidem() -> ModuleType:
     """The package."""
     if not list(PACKAGES.glob("solidem/_core*.so")):
-        pytest.fail(f"{PACKAGES} has no module; build it first: cmake --preset python && "
-                    "cmake --build --preset python --target solidem_python")
+        pytest.fail(f"{PACKAGES} has no module; build it first: cmake --preset release "
+                    "-DSOLIDEM_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3 && "
+                    "cmake --build --preset release --target solidem_python")
     sys.path.insert(0, str(PACKAGES))
     return importlib.import_module("solidem")
 

@@ -11,8 +11,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-pytestmark = pytest.mark.slow  # the module is built by tests/run --all
-
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("SOLIDEM_PROGRAM", ROOT / "build" / "release" / "solidem"))
 
@@ -106,7 +104,8 @@ def test_results_are_read_as_they_were_written(solidem, tables, tmp_path):
 
 
 def test_a_history_is_a_frame_of_pandas(solidem, tables, tmp_path):
-    pandas = pytest.importorskip("pandas")
+    import pandas
+
     history = solidem.Scene(tables).run(tmp_path / "run").history
     frame = history.frame()
     assert isinstance(frame, pandas.DataFrame) and list(frame.index) == [0, 50, 100, 150, 200]

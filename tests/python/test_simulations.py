@@ -14,8 +14,6 @@ import time
 import numpy as np
 import pytest
 
-pytestmark = pytest.mark.slow  # the module is built by tests/run --all
-
 
 def test_steps_are_those_of_the_recorded_run(solidem, tables, tmp_path):
     scene = solidem.Scene(tables)

@@ -3,14 +3,19 @@
 
 from __future__ import annotations
 
+import importlib
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+#: Not in build/wheel, where the core would be compiled again.
+BUILT = ("--config-settings", "build-directory=build/release")
 
 TRIAL = """\
 import solidem
@@ -37,7 +42,7 @@ def run(*command: object, cwd: Path) -> str:
 def test_pip_installs_it_without_a_network(tmp_path: Path) -> None:
     run(sys.executable, "-m", "venv", "--system-site-packages", tmp_path / "venv", cwd=tmp_path)
     python = tmp_path / "venv" / "bin" / "python"
-    run(python, "-m", "pip", "install", "--no-index", ROOT, cwd=tmp_path)
+    run(python, "-m", "pip", "install", "--no-index", *BUILT, ROOT, cwd=tmp_path)
     assert run(python, "-c", TRIAL, cwd=tmp_path).split()[1] == "10"
     shown = run(python, "-m", "pip", "show", "--files", "solidem", cwd=tmp_path)
     assert "GPL-2.0-or-later" in shown and "solidem/py.typed" in shown and "_core.pyi" in shown
@@ -45,8 +50,8 @@ def test_pip_installs_it_without_a_network(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_the_wheel_is_whole(tmp_path: Path) -> None:
-    run(sys.executable, "-m", "pip", "wheel", "--no-index", "--no-deps", "-w", tmp_path, ROOT,
-        cwd=tmp_path)
+    run(sys.executable, "-m", "pip", "wheel", "--no-index", "--no-deps", "-w", tmp_path, *BUILT,
+        ROOT, cwd=tmp_path)
     (wheel,) = tmp_path.glob("*.whl")
     with zipfile.ZipFile(wheel) as file:
         assert file.testzip() is None
@@ -57,3 +62,30 @@ def test_the_wheel_is_whole(tmp_path: Path) -> None:
     sources = {f"solidem/{path.name}" for path in (ROOT / "python" / "solidem").iterdir()
                if path.suffix in (".py", ".pyi", ".typed")}
     assert sources < names
+
+
+@pytest.fixture
+def backend(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """What pip calls."""
+    monkeypatch.syspath_prepend(str(ROOT / "python"))
+    return importlib.import_module("wheel_backend")
+
+
+@pytest.mark.slow
+def test_the_packed_sources_are_all_that_the_module_needs(backend: ModuleType, tmp_path: Path) -> None:
+    name = backend.build_sdist(str(tmp_path))
+    with tarfile.open(tmp_path / name) as archive:
+        archive.extractall(tmp_path)
+        assert not [member for member in archive.getnames() if "__pycache__" in member]
+    sources = tmp_path / name.removesuffix(".tar.gz")
+    run("cmake", "-G", "Ninja", "-S", sources, "-B", tmp_path / "build", "-DSOLIDEM_PYTHON=ON",
+        "-DSOLIDEM_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}", cwd=tmp_path)
+    ask = ("ninja", "-C", tmp_path / "build", "-n", "solidem_python")
+    assert "missing" not in run(*ask, cwd=tmp_path)
+
+
+def test_settings_that_cannot_be_are_refused(backend: ModuleType, tmp_path: Path) -> None:
+    with pytest.raises(SystemExit, match="unknown setting build_dir; known: build-directory"):
+        backend.build_wheel(str(tmp_path), {"build_dir": "build"})
+    with pytest.raises(SystemExit, match="builds no Python module.*SOLIDEM_PYTHON=ON"):
+        backend.build_wheel(str(tmp_path), {"build-directory": str(tmp_path)})
