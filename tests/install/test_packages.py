@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import re
 import subprocess
@@ -29,7 +30,9 @@ def run(*command: object, cwd: Path | None = None, **environment: str) -> str:
 def packages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """The packages of the release build, by name."""
     folder = tmp_path_factory.mktemp("packages")
-    run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", folder, cwd=folder)
+    with (BUILD / "tests.lock").open("a") as lock:  # the test of the wheel builds there, too
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", folder, cwd=folder)
     return {path.name.split("_")[0]: path for path in folder.glob("*.deb")}
 
 

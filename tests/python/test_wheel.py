@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import importlib
 import subprocess
 import sys
@@ -10,6 +11,7 @@ import tarfile
 import zipfile
 from pathlib import Path
 from types import ModuleType
+from typing import Iterator
 
 import pytest
 
@@ -30,6 +32,14 @@ print(solidem.__version__, simulation.steps_done)
 """
 
 
+@pytest.fixture
+def alone() -> Iterator[None]:
+    """While a test builds in build/release no other does."""
+    with (ROOT / "build/release/tests.lock").open("a") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
 def run(*command: object, cwd: Path) -> str:
     """What a command prints; its errors are shown when it fails."""
     done = subprocess.run([str(word) for word in command], check=False, text=True, cwd=cwd,
@@ -39,6 +49,7 @@ def run(*command: object, cwd: Path) -> str:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("alone")
 def test_pip_installs_it_without_a_network(tmp_path: Path) -> None:
     run(sys.executable, "-m", "venv", "--system-site-packages", tmp_path / "venv", cwd=tmp_path)
     python = tmp_path / "venv" / "bin" / "python"
@@ -49,6 +60,7 @@ def test_pip_installs_it_without_a_network(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("alone")
 def test_the_wheel_is_whole(tmp_path: Path) -> None:
     run(sys.executable, "-m", "pip", "wheel", "--no-index", "--no-deps", "-w", tmp_path, *BUILT,
         ROOT, cwd=tmp_path)
