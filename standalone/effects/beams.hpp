@@ -62,6 +62,11 @@ class Beams : public Mechanics {
   double typical_energy(const Model& model) const override {
     return 2 * rigidity_.axial * mean_radius(model.specimen());
   }
+  double round_off_strain() const override {
+    return demands_.elasticity.precision == BeamParameters::Precision::mixed
+               ? 1e-6
+               : Mechanics::round_off_strain();
+  }
 
   /// E S / l
   double mean_stiffness(const Model& model) const override;

@@ -33,6 +33,8 @@ class Mechanics : public Effect {
 
   /// A small energy to measure round-off by: that of one pair, J.
   virtual double typical_energy(const Model& model) const = 0;
+  /// Strains that round-off alone may bring, with a wide margin.
+  virtual double round_off_strain() const { return 1e-9; }
 
   /// Whether the forces can give more to motion than was put in: elements attract each other.
   virtual bool releases_energy() const { return false; }

@@ -96,10 +96,9 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   if (heat_ != nullptr) heat_->start(duration);
   record_initial_energy();
   specimen_marks_ = marks_of(model_);
-  // Of bonds that are strained by round-off, with a wide margin.
   if (mechanics_ != nullptr)
-    guard_.ignore(1e-18 * static_cast<double>(model_.slots().bonds()) *
-                  mechanics_->typical_energy(model_));
+    guard_.ignore(mechanics_->round_off_strain() * mechanics_->round_off_strain() *
+                  static_cast<double>(model_.slots().bonds()) * mechanics_->typical_energy(model_));
 }
 
 void Simulation::make_effects(Assembly& assembly, Phase first, Phase last) {
