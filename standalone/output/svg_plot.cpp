@@ -75,9 +75,10 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
 }
 
 /// A panel's frame on the picture, and where its values are in it.
-class Frame {
+class PlotFrame {
  public:
-  Frame(const PlotPanel& panel, double x, double y) : panel_(panel), x_(x + left), y_(y + above) {}
+  PlotFrame(const PlotPanel& panel, double x, double y)
+      : panel_(panel), x_(x + left), y_(y + above) {}
 
   static constexpr double width = panel_width - left - right;
   static constexpr double height = panel_height - above - below;
@@ -238,7 +239,7 @@ std::string svg_of(const Plot& plot) {
   text += words(width / 2, 25, plot.title, "middle", 16);
   for (std::size_t k = 0; k < plot.panels.size(); ++k) {
     const int row = static_cast<int>(k) / columns, column = static_cast<int>(k) % columns;
-    text += Frame(plot.panels[k], column * panel_width, head + row * panel_height)
+    text += PlotFrame(plot.panels[k], column * panel_width, head + row * panel_height)
                 .svg(static_cast<int>(k));
   }
   return text + legend_of(plot, foot + 8) + "</svg>\n";
