@@ -13,9 +13,9 @@ namespace solidem {
 namespace {
 
 /// Adds a command whose words are kept in `Words` until it is called.
-template <class Words, class Declare, class Call>
+template <class Words, class Declare>
 CLI::App* add(CLI::App& app, Action& chosen, const char* name, const char* description,
-              const Declare& declare, const Call& call) {
+              const Declare& declare, const std::function<int(const Words&)>& call) {
   auto words = std::make_shared<Words>();
   CLI::App* command = app.add_subcommand(name, description);
   declare(*command, *words);

@@ -35,9 +35,9 @@ double length_inside(const Gauge& gauge, const Domain& domain, double from, doub
   if (!domain.periodic[static_cast<std::size_t>(gauge.axis)]) return inside(0);
   const double period = component(domain.upper - domain.lower, gauge.axis);
   double length = 0;
-  const double last = std::ceil((gauge.upper - low) / period);
-  for (double image = std::floor((gauge.lower - high) / period); image <= last; ++image)
-    length += inside(image * period);
+  const auto first = static_cast<int>(std::floor((gauge.lower - high) / period));
+  const auto last = static_cast<int>(std::ceil((gauge.upper - low) / period));
+  for (int image = first; image <= last; ++image) length += inside(image * period);
   return length;
 }
 

@@ -26,7 +26,7 @@ namespace solidem {
 /// act(rule) with the rule as a constant.
 template <class Act>
 constexpr auto by_rule(FlowRule rule, const Act& act) {
-  switch (rule) {
+  switch (rule) {  // NOLINT(bugprone-branch-clone): what is alike differs in type
     case FlowRule::scaled_offset:
       return act(std::integral_constant<FlowRule, FlowRule::scaled_offset>{});
     case FlowRule::associated:
