@@ -19,9 +19,8 @@ namespace solidem {
 
 namespace {
 
-constexpr std::size_t least_blocks = 600;  // below, a second thread costs more than it saves
-constexpr double default_skin = 0.1;       // mean radii
-constexpr double search_cost = 25;         // steps that take as long as a search, without a skin
+constexpr double default_skin = 0.1;  // mean radii
+constexpr double search_cost = 25;    // steps that take as long as a search, without a skin
 
 Vector row_vector(const double* row) {
   return {row[0], row[1], row[2]};
@@ -296,7 +295,7 @@ void CentralForces::advance(Model& model, const Step& step) {
   common.compression_ratio = compression_ratio_;
   const auto move = kernels().move_by_central_forces;
   std::mutex gathering;
-  for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
+  for_blocks(model.slots().blocks(), least_blocks_moving, [&](std::size_t first, std::size_t last) {
     CentralMotion mine = common;
     move(mine, first, last);
     const std::lock_guard<std::mutex> lock(gathering);
@@ -311,7 +310,7 @@ void CentralForces::accelerate(Model& model) const {
   still.velocity_for_neighbours = nullptr;
   still.barycentre = nullptr;
   still.listed_position = nullptr;
-  for_blocks(model.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
+  for_blocks(model.slots().blocks(), least_blocks_moving, [&](std::size_t first, std::size_t last) {
     CentralMotion mine = still;
     kernels().move_by_central_forces(mine, first, last);
   });
@@ -320,9 +319,10 @@ void CentralForces::accelerate(Model& model) const {
 void CentralForces::find_crack_faces(double threshold) {
   CentralMotion common = motion(model_);
   common.crack_threshold = threshold;
-  for_blocks(model_.slots().blocks(), least_blocks, [&](std::size_t first, std::size_t last) {
-    kernels().find_crack_faces(common, first, last);
-  });
+  for_blocks(model_.slots().blocks(), least_blocks_moving,
+             [&](std::size_t first, std::size_t last) {
+               kernels().find_crack_faces(common, first, last);
+             });
 }
 
 std::vector<int> CentralForces::neighbours_within_range() const {
@@ -472,7 +472,7 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   // Of each element, so that the sums do not depend on where empty slots stand.
   std::vector<double> energy(count, 0.0), pairs(count, 0.0), power(count, 0.0);
   std::vector<double> nearest(count, compression_ratio_);
-  for_blocks(blocks, least_blocks, [&](std::size_t first, std::size_t last) {
+  for_blocks(blocks, least_blocks_moving, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block)
       model.slots().for_each_in(
           block, [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {

@@ -83,12 +83,13 @@ class Damping : public Effect {
 
   void advance(Model& model, const Step& step) override {
     const std::size_t elements = model.elements();
-    for_blocks(model.slots().blocks(), 600, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first * lanes; i < std::min(last * lanes, elements); ++i) {
-        if (!(model.data(columns::inverse_mass)[i] > 0)) continue;
-        for (const DampedMotion& motion : motions_) damp(model, step, motion, i);
-      }
-    });
+    for_blocks(model.slots().blocks(), least_blocks_moving,
+               [&](std::size_t first, std::size_t last) {
+                 for (std::size_t i = first * lanes; i < std::min(last * lanes, elements); ++i) {
+                   if (!(model.data(columns::inverse_mass)[i] > 0)) continue;
+                   for (const DampedMotion& motion : motions_) damp(model, step, motion, i);
+                 }
+               });
   }
 
   void observe(const Model& model, Observation& observation) const override {

@@ -10,12 +10,6 @@
 
 namespace solidem {
 
-namespace {
-
-constexpr std::size_t least_blocks_moving = 600;  // below, a second thread costs more than it saves
-
-}  // namespace
-
 bool elements_are_loose(const Setup& setup) {
   return setup.get<ContactParameters>() && !setup.get<BeamParameters>() &&
          !setup.get<CentralForceParameters>();

@@ -45,6 +45,9 @@ class FirstException {
   std::exception_ptr exception_;
 };
 
+/// Blocks of elements from which on a second thread pays in a loop that moves them.
+inline constexpr std::size_t least_blocks_moving = 600;
+
 /// Calls work(first, last) on all threads for ranges that together hold each block once. Below
 /// `least_blocks` a thread would cost more than it saves, and one thread does it all.
 template <class Work>

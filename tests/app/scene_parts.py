@@ -17,6 +17,17 @@ young_modulus = "3.5 TPa"
 poisson_ratio = 0.3
 radius_ratio = 0.27
 """
+#: Of a chain of such spheres: one end stands, the other moves along x.
+PULLED_ENDS = """\
+[[grips]]
+name = "left"
+region = { axis = "x", side = "low", depth = "0.15 mm" }
+velocity = ["0 m/s", "0 m/s", "0 m/s"]
+[[grips]]
+name = "right"
+region = { axis = "x", side = "high", depth = "0.15 mm" }
+velocity = ["SPEED m/s", "0 m/s", "0 m/s"]
+"""
 THICK_BEAMS = """\
 [beams]
 young_modulus = "70 GPa"

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from contrib.prepared import parse_parameters
+from scene_parts import PULLED_ENDS
 
 SCENE = """\
 [specimen]
@@ -33,14 +34,7 @@ yield_stress = "219 MPa"
 hardening_stress = "276 MPa"
 hardening_exponent = EXPONENT
 MORE
-[[grips]]
-name = "left"
-region = { axis = "x", side = "low", depth = "0.15 mm" }
-velocity = ["0 m/s", "0 m/s", "0 m/s"]
-[[grips]]
-name = "right"
-region = { axis = "x", side = "high", depth = "0.15 mm" }
-velocity = ["SPEED m/s", "0 m/s", "0 m/s"]
+""" + PULLED_ENDS + """\
 [run]
 steps = STEPS
 time_step = "STEP s"

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from contrib.prepared import parse_parameters
+from scene_parts import PULLED_ENDS
 
 CHAIN = """\
 [specimen]
@@ -26,14 +27,7 @@ young_modulus = "100 GPa"
 poisson_ratio = 0.3
 radius_ratio = 0.5
 MATERIALS
-[[grips]]
-name = "left"
-region = { axis = "x", side = "low", depth = "0.15 mm" }
-velocity = ["0 m/s", "0 m/s", "0 m/s"]
-[[grips]]
-name = "right"
-region = { axis = "x", side = "high", depth = "0.15 mm" }
-velocity = ["SPEED m/s", "0 m/s", "0 m/s"]
+""" + PULLED_ENDS + """\
 [run]
 steps = STEPS
 time_step = "1 ns"

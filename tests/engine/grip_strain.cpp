@@ -10,17 +10,11 @@
 #include <filesystem>
 
 #include "engine/run_forecast.hpp"
+#include "support/axis_controls.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {
 namespace {
-
-AxisControl held() {
-  return {AxisControl::Kind::displacement, TimeFunction::constant(0)};
-}
-AxisControl moving(double v) {
-  return {AxisControl::Kind::velocity, TimeFunction::constant(v)};
-}
 
 /// A bar whose ends are held, and moved so along x and y.
 Setup moved_bar(AxisControl along, AxisControl across = held()) {

@@ -4,17 +4,12 @@
 #include <cmath>
 
 #include "model/error.hpp"
+#include "support/axis_controls.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {
 namespace {
 
-AxisControl held() {
-  return {AxisControl::Kind::displacement, TimeFunction::constant(0)};
-}
-AxisControl moving(double v) {
-  return {AxisControl::Kind::velocity, TimeFunction::constant(v)};
-}
 AxisControl pulled(double f) {
   return {AxisControl::Kind::force, TimeFunction::constant(f)};
 }
