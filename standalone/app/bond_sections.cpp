@@ -6,6 +6,8 @@
 #include <cmath>
 #include <variant>
 
+#include "effects/beam_parameters.hpp"
+
 namespace solidem {
 
 namespace {

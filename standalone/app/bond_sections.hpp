@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "effects/parameters.hpp"
+#include "effects/beam_parameters.hpp"
 #include "engine/tension_test.hpp"
 
 namespace solidem {

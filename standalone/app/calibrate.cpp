@@ -13,6 +13,7 @@
 #include "app/commands.hpp"
 #include "app/notes.hpp"
 #include "app/say.hpp"
+#include "effects/beam_parameters.hpp"
 #include "engine/calibration.hpp"
 #include "engine/tension_bench.hpp"
 #include "model/error.hpp"

@@ -10,6 +10,7 @@
 
 #include "app/bond_sections.hpp"
 #include "app/say.hpp"
+#include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
 #include "output/replace_file.hpp"
 #include "output/summary.hpp"

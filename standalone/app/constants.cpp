@@ -9,6 +9,7 @@
 #include "app/notes.hpp"
 #include "app/print_json.hpp"
 #include "app/say.hpp"
+#include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
 #include "scene/body.hpp"
 #include "solve/calibration/orthotropic_calibration.hpp"

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "effects/central_force_parameters.hpp"
 #include "keys/nearest_name.hpp"
 #include "keys/units.hpp"
 #include "model/error.hpp"

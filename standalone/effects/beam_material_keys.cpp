@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "effects/beam_parameters.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "effects/parameters.hpp"
+#include "effects/beam_parameters.hpp"
 #include "keys/regions.hpp"
 
 namespace solidem {

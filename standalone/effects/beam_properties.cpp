@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "effects/beam_properties.hpp"
 
+#include "effects/beam_parameters.hpp"
+
 namespace solidem {
 
 using Law = BeamParameters::Law;

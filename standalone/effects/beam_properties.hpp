@@ -2,7 +2,7 @@
 #ifndef SOLIDEM_EFFECTS_BEAM_PROPERTIES_HPP
 #define SOLIDEM_EFFECTS_BEAM_PROPERTIES_HPP
 
-#include "effects/parameters.hpp"
+#include "effects/beam_parameters.hpp"
 #include "laws/beam.hpp"
 #include "model/specimen.hpp"
 

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <variant>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/bond_slot.hpp"
 #include "effects/bond_temperature.hpp"
 #include "laws/rigid_sphere.hpp"

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/beam_properties.hpp"
 #include "effects/bond_columns.hpp"
 #include "effects/kernels/kernels.hpp"

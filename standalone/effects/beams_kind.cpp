@@ -6,7 +6,9 @@
 
 #include "effects/assembly.hpp"
 #include "effects/beam_material_keys.hpp"
+#include "effects/beam_parameters.hpp"
 #include "effects/beams.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "effects/parameters.hpp"
+#include "effects/beam_parameters.hpp"
 #include "keys/rules.hpp"
 
 namespace solidem {

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "effects/assembly.hpp"
+#include "effects/beam_parameters.hpp"
 #include "effects/bond_slot.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
 #include "laws/heat_exchange.hpp"

@@ -10,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "effects/central_force_parameters.hpp"
 #include "laws/central_interaction.hpp"
 #include "laws/crack_face.hpp"
 #include "model/error.hpp"

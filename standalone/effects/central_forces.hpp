@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "effects/central_force_parameters.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "effects/mechanics.hpp"
-#include "effects/parameters.hpp"
 #include "neighbours/neighbourhood.hpp"
 
 namespace solidem {

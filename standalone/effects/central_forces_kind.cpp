@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
+#include "effects/central_force_parameters.hpp"
 #include "effects/central_forces.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/conduction_parameters.hpp"
+
 namespace solidem {
 
 namespace {

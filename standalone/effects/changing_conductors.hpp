@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "effects/conduction_geometry.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "model/archive.hpp"
 #include "model/model.hpp"
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "effects/conduction_parameters.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "effects/pseudo_random.hpp"
 #include "laws/heat_exchange.hpp"

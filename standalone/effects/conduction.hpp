@@ -8,6 +8,7 @@
 
 #include "effects/changing_conductors.hpp"
 #include "effects/conduction_geometry.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "effects/heat_load.hpp"
 #include "model/material.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "effects/conduction_parameters.hpp"
 #include "laws/platonic_conduction.hpp"
 #include "specimen/bonds.hpp"
 

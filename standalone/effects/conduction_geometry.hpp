@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "effects/parameters.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "specimen/tessellation.hpp"
 
 namespace solidem {

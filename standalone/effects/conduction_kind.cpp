@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
+#include "effects/beam_parameters.hpp"
 #include "effects/bond_temperature.hpp"
 #include "effects/conduction.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/heat_clock.hpp"
 #include "effects/plastic_heat.hpp"

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/push.hpp"
 #include "effects/selections.hpp"
 #include "laws/contact.hpp"

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/contact_law.hpp"
 #include "effects/contact_list.hpp"
 #include "effects/grips.hpp"
-#include "effects/parameters.hpp"
 #include "effects/rupture.hpp"
 #include "laws/linear_contact.hpp"
 #include "model/buffer.hpp"

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "effects/contact.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/free_motion.hpp"

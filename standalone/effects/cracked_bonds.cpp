@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "effects/central_force_parameters.hpp"
 #include "laws/crack_face.hpp"
 
 namespace solidem {

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "effects/assembly.hpp"
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
 #include "effects/cracked_bonds.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"

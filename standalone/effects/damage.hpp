@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "effects/central_force_parameters.hpp"
 #include "effects/central_forces.hpp"
 
 namespace solidem {

@@ -8,6 +8,7 @@
 // Viscous damping is exact over half a step before elements move and half a step after: second
 // order in the step, and stable at any step and rate.
 #include "laws/damping.hpp"
+#include "effects/beam_parameters.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
 #include "effects/push.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/lane_vectors.hpp"

@@ -5,6 +5,7 @@
 
 #include "effects/assembly.hpp"
 #include "effects/effect_kind.hpp"
+#include "effects/grip_parameters.hpp"
 #include "effects/push.hpp"
 #include "effects/removed_elements.hpp"
 #include "effects/turning_grip.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "effects/effect.hpp"
-#include "effects/parameters.hpp"
+#include "effects/grip_parameters.hpp"
 
 namespace solidem {
 

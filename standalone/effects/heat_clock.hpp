@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "effects/conduction_parameters.hpp"
 #include "effects/effect.hpp"
-#include "effects/parameters.hpp"
 
 namespace solidem {
 

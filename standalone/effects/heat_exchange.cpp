@@ -2,6 +2,7 @@
 #include "effects/heat_exchange.hpp"
 
 #include "effects/effect_kind.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "effects/heat_places.hpp"
 #include "keys/rules.hpp"
 #include "laws/heat_exchange.hpp"

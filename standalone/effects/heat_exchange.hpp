@@ -6,7 +6,7 @@
 
 #include "effects/conduction.hpp"
 #include "effects/heat_load.hpp"
-#include "effects/parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 
 namespace solidem {
 

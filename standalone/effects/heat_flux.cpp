@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "effects/effect_kind.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "effects/heat_places.hpp"
 #include "effects/moving_shape.hpp"
 #include "keys/rules.hpp"

@@ -7,6 +7,7 @@
 
 #include "effects/conduction_geometry.hpp"
 #include "effects/heat_load.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "effects/heat_spread.hpp"
 
 namespace solidem {

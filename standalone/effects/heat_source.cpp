@@ -2,6 +2,7 @@
 #include "effects/heat_source.hpp"
 
 #include "effects/effect_kind.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "effects/heat_places.hpp"
 #include "effects/moving_shape.hpp"
 #include "keys/rules.hpp"

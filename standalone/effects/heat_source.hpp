@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "effects/heat_load.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "effects/heat_spread.hpp"
-#include "effects/parameters.hpp"
 
 namespace solidem {
 

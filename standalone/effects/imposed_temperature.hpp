@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "effects/conduction.hpp"
+#include "effects/heat_load_parameters.hpp"
 
 namespace solidem {
 

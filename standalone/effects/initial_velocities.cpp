@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // [[initial_velocities]]: what moves when a run begins. Nothing acts in its steps.
+#include "effects/initial_velocities.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
 

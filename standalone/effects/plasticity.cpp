@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // [plasticity]: what it asks of the beams, which flow (effects/beams.hpp).
+#include "effects/beam_parameters.hpp"
 #include "effects/bond_law_keys.hpp"
 #include "effects/effect_kind.hpp"
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "effects/assembly.hpp"
+#include "effects/beam_parameters.hpp"
 #include "effects/bond_law_keys.hpp"
 #include "effects/effect_kind.hpp"
 #include "laws/contact.hpp"

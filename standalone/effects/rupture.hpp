@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/beams.hpp"
 
 namespace solidem {

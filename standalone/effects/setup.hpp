@@ -10,7 +10,6 @@
 #include <typeindex>
 #include <vector>
 
-#include "effects/parameters.hpp"
 #include "model/gauge.hpp"
 #include "model/material.hpp"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "effects/grip_parameters.hpp"
 #include "effects/grips.hpp"
 
 namespace solidem {

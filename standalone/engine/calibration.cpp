@@ -14,6 +14,7 @@
 #include <cmath>
 #include <Eigen/LU>
 
+#include "effects/beam_parameters.hpp"
 #include "engine/tension_bench.hpp"
 #include "model/error.hpp"
 #include "specimen/bonds.hpp"

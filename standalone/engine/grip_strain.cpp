@@ -7,7 +7,11 @@
 #include <cmath>
 #include <optional>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "effects/grips.hpp"
+#include "effects/initial_velocities.hpp"
 #include "laws/bond_limit.hpp"
 #include "laws/central_interaction.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/conduction_parameters.hpp"
 #include "effects/selections.hpp"
 #include "model/error.hpp"
 #include "solve/calibration/relative_conductivity.hpp"

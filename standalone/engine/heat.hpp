@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "effects/conduction.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "effects/heat_clock.hpp"
 #include "effects/imposed_temperature.hpp"
 #include "effects/setup.hpp"

@@ -14,7 +14,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/beams.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/body_figures.hpp"
 #include "engine/heat.hpp"

@@ -9,7 +9,10 @@
 #include <utility>
 
 #include "effects/assembly.hpp"
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
 #include "effects/central_forces.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "effects/contact.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/free_motion.hpp"

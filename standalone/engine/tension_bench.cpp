@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/tension_bench.hpp"
 
+#include "effects/beam_parameters.hpp"
 #include "model/blocks.hpp"
 
 namespace solidem {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "effects/beam_parameters.hpp"
 #include "engine/calibration.hpp"
 
 namespace solidem {

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "engine/simulation.hpp"
 
 namespace solidem {

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/setup.hpp"
 #include "solve/calibration/tensile_bar.hpp"
 

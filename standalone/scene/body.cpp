@@ -3,8 +3,12 @@
 
 #include <algorithm>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/beams.hpp"
+#include "effects/central_force_parameters.hpp"
 #include "effects/central_forces.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "engine/heat.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "output/hdf5.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // [calibration] with targets along the axes of a grain.
+#include "effects/beam_parameters.hpp"
 #include "keys/rules.hpp"
 #include "scene/sections.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"

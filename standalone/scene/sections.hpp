@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/setup.hpp"
 #include "engine/calibration.hpp"
 #include "keys/regions.hpp"

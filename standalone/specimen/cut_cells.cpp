@@ -65,6 +65,8 @@ bool cut_at_sphere(voro::voronoicell& cell, double radius, std::vector<double>& 
 
 /// What each thread has of its own, for voro++ keeps notes while it works.
 struct Cutter {
+  Cutter(const Specimen& specimen, double unit) : container(container_of(specimen, unit)) {}
+
   std::unique_ptr<voro::container_poly> container;
   voro::voronoicell cell;
   std::vector<double> corners;
@@ -77,10 +79,7 @@ double cut_cell_volume(const Specimen& specimen) {
   std::vector<double> volume(specimen.size(), 0.0);
   const auto blocks = static_cast<std::size_t>(container_of(specimen, unit)->nxyz);
   for_each_part_with(
-      blocks, true,
-      [&] {
-        return Cutter{container_of(specimen, unit), {}, {}};
-      },
+      blocks, true, [&] { return Cutter(specimen, unit); },
       [&](Cutter& own, std::size_t block) {
         for (int k = 0; k < own.container->co[block]; ++k) {
           const auto element = static_cast<std::size_t>(own.container->id[block][k]);

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "laws/crack_face.hpp"
 #include "support/central_forces.hpp"

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "effects/conduction.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "laws/platonic_conduction.hpp"
 #include "support/specimens.hpp"
 

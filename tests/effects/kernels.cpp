@@ -2,6 +2,7 @@
 //
 // Every instruction set's kernels against the laws in plain doubles.
 #include "effects/kernels/kernels.hpp"
+#include "effects/beam_parameters.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,10 @@
 
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/beam_properties.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {

@@ -5,6 +5,10 @@
 
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "effects/rupture.hpp"
 #include "solve/statics/static_equilibrium.hpp"
 #include "support/thermomechanics.hpp"

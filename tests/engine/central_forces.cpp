@@ -4,6 +4,9 @@
 // measures and checkpoints.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {

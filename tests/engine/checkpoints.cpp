@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
 #include "support/specimens.hpp"
 

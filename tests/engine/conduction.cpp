@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "effects/heat_load_parameters.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {

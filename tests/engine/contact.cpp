@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/contact.hpp"
 #include "model/error.hpp"
 #include "model/lane_vectors.hpp"

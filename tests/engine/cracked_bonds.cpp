@@ -3,6 +3,9 @@
 // Micro-cracks among bonded elements, and free faces that count as such or do not.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 #include "support/central_forces.hpp"
 

@@ -7,6 +7,9 @@
 #include <memory>
 #include <string>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "model/error.hpp"
 #include "support/beams.hpp"
 

@@ -2,6 +2,7 @@
 //
 // What a gauge measures, and what an element's own images add.
 #include "engine/gauge.hpp"
+#include "effects/central_force_parameters.hpp"
 
 #include <gtest/gtest.h>
 

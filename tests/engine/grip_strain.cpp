@@ -2,6 +2,9 @@
 //
 // What is foretold of a run before it begins.
 #include "engine/grip_strain.hpp"
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "effects/grip_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "model/error.hpp"
 #include "support/axis_controls.hpp"
 #include "support/specimens.hpp"

@@ -7,7 +7,12 @@
 #include <cmath>
 #include <memory>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/beams.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "effects/rupture.hpp"
 #include "engine/heat.hpp"
 #include "laws/platonic_conduction.hpp"

@@ -6,6 +6,9 @@
 
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "engine/heat.hpp"
 #include "model/error.hpp"
 #include "support/heat.hpp"

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "effects/conduction_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "engine/heat.hpp"
 #include "model/error.hpp"
 #include "specimen/tessellation.hpp"

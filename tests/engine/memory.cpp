@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
+#include "effects/conduction_parameters.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "effects/rupture.hpp"
 #include "support/beams.hpp"
 

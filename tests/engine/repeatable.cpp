@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "effects/conduction_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "model/error.hpp"
 #include "support/specimens.hpp"
 

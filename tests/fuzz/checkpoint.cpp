@@ -3,6 +3,8 @@
 #include <map>
 
 #include "bytes.hpp"
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "model/error.hpp"
 #include "support/specimens.hpp"
 #include "targets.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bad_scene.hpp"
+#include "effects/beam_parameters.hpp"
 #include "scene/body.hpp"
 
 namespace solidem::test {

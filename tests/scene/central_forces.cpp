@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bad_scene.hpp"
+#include "effects/central_force_parameters.hpp"
 #include "effects/plan.hpp"
 
 namespace solidem::test {

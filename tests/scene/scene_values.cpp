@@ -5,6 +5,11 @@
 
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "scene_text.hpp"
 
 namespace solidem::test {

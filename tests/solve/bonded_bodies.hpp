@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
 #include "model/region.hpp"
 #include "solve/statics/static_equilibrium.hpp"
 #include "support/specimens.hpp"

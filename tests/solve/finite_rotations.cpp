@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Large deflections against exact solutions.
+#include "effects/beam_parameters.hpp"
 #include "solve/statics/finite_equilibrium.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "solve/calibration/orthotropic_calibration.hpp"
+#include "effects/beam_parameters.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 // A row of beams against beam theory.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
 #include "solve/bonded_bodies.hpp"
 

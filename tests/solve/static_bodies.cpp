@@ -6,6 +6,7 @@
 #include <omp.h>
 #include <Eigen/Dense>
 
+#include "effects/grip_parameters.hpp"
 #include "solve/bonded_bodies.hpp"
 
 namespace solidem {

@@ -3,6 +3,9 @@
 // Natural frequencies against theory.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/error.hpp"
 #include "solve/bonded_bodies.hpp"

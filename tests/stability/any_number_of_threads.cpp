@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "support/beams.hpp"
 
 namespace solidem {

@@ -5,6 +5,7 @@
 // once, and after that its elements are free.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
 #include "laws/beam_plasticity.hpp"
 #include "laws/bond_limit.hpp"
 #include "support/beams.hpp"

@@ -4,6 +4,7 @@
 // were none, and nothing is divided by it.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
 #include "laws/beam_flow.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "support/beams.hpp"

@@ -4,6 +4,8 @@
 // are not thrown apart, and faces pressed together hard enough are bonded anew, free of load.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 
 namespace solidem {

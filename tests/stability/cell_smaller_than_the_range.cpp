@@ -4,6 +4,7 @@
 // images of each other one, moves as the same crystal in a large cell does.
 #include <gtest/gtest.h>
 
+#include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {

@@ -4,6 +4,8 @@
 // far it turns; and which of its elements comes first plays no part.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "laws/beam_plasticity.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "support/beams.hpp"

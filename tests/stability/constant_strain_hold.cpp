@@ -4,6 +4,7 @@
 // the return to the yield surface must not make it creep.
 #include <gtest/gtest.h>
 
+#include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 
 namespace solidem {

@@ -4,6 +4,8 @@
 // one of two layers in series, nothing overshoots on the way, and the balance closes.
 #include <gtest/gtest.h>
 
+#include "effects/conduction_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
 namespace solidem {

@@ -5,6 +5,7 @@
 // with its tangent from the deepest overlap that the step allows for.
 #include <gtest/gtest.h>
 
+#include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {

@@ -10,6 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "engine/run.hpp"
 #include "model/error.hpp"
 #include "support/central_forces.hpp"

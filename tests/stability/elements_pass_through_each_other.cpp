@@ -4,6 +4,7 @@
 // off the axis and head-on, where their distance goes through zero.
 #include <gtest/gtest.h>
 
+#include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {

@@ -7,6 +7,7 @@
 
 #include <ctime>
 
+#include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {

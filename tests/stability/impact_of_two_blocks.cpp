@@ -4,6 +4,9 @@
 // last bits and energy is balanced; where the step is too large, the run says so.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {

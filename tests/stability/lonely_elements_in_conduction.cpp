@@ -5,6 +5,9 @@
 // there are.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
 namespace solidem {

@@ -4,6 +4,7 @@
 // the first steps show, and has no trend.
 #include <gtest/gtest.h>
 
+#include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "engine/run.hpp"
 #include "support/beams.hpp"
 

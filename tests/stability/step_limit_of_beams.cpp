@@ -5,6 +5,8 @@
 // limit must leave no trace, however little a bond needs to flow or break.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "model/error.hpp"
 #include "support/beams.hpp"
 

@@ -4,6 +4,7 @@
 // of the estimate they stay bounded, above 1.03 they diverge.
 #include <gtest/gtest.h>
 
+#include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
 namespace solidem {

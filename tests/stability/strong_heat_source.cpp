@@ -4,6 +4,8 @@
 // stays positive and finite also where nothing but conduction holds it back.
 #include <gtest/gtest.h>
 
+#include "effects/conduction_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
 namespace solidem {

@@ -4,6 +4,9 @@
 // two, by any integrator, and the heat balance closes.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
 namespace solidem {

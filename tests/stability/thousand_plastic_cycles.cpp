@@ -4,6 +4,7 @@
 // yield surface, and without hardening each cycle is like the one before it.
 #include <gtest/gtest.h>
 
+#include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 
 namespace solidem {

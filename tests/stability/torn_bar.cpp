@@ -6,6 +6,8 @@
 
 #include <memory>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 
 namespace solidem {

@@ -4,6 +4,8 @@
 // names both; in a run they do nothing to each other until they have parted.
 #include <gtest/gtest.h>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem {

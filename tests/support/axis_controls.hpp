@@ -2,7 +2,7 @@
 #ifndef SOLIDEM_TESTS_SUPPORT_AXIS_CONTROLS_HPP
 #define SOLIDEM_TESTS_SUPPORT_AXIS_CONTROLS_HPP
 
-#include "effects/parameters.hpp"
+#include "effects/grip_parameters.hpp"
 
 namespace solidem {
 

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/grip_parameters.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "effects/central_force_parameters.hpp"
 #include "effects/central_forces.hpp"
 #include "effects/damage.hpp"
 #include "laws/central_interaction.hpp"

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "effects/conduction_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {

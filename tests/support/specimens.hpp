@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
 #include "engine/simulation.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/ordering.hpp"

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "effects/bond_temperature.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "effects/plastic_heat.hpp"
 #include "support/beams.hpp"
 #include "support/heat.hpp"

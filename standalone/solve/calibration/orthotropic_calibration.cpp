@@ -7,6 +7,7 @@
 #include <cmath>
 #include <Eigen/Dense>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/beam_properties.hpp"
 #include "model/error.hpp"
 

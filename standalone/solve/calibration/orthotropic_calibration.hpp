@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "effects/parameters.hpp"
+#include "effects/beam_parameters.hpp"
 #include "solve/calibration/orthotropic_constants.hpp"
 
 namespace solidem {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
 
 namespace solidem {

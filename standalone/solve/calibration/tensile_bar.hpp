@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/setup.hpp"
 #include "solve/statics/static_equilibrium.hpp"
 

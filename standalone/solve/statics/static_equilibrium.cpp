@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "effects/beam_parameters.hpp"
 #include "effects/beam_properties.hpp"
 #include "effects/gauge_check.hpp"
 #include "model/displacement_gradient.hpp"

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "effects/parameters.hpp"
+#include "effects/beam_parameters.hpp"
 #include "effects/setup.hpp"
 #include "laws/beam.hpp"
 #include "model/specimen.hpp"

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "effects/grip_parameters.hpp"
+
 namespace solidem {
 
 void impose(const GripParameters& grip, const std::vector<std::int32_t>& elements,

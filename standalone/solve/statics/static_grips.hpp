@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "effects/grip_parameters.hpp"
 #include "solve/statics/static_equilibrium.hpp"
 
 namespace solidem {
