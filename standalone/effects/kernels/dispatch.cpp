@@ -10,10 +10,12 @@ namespace solidem {
 namespace baseline {
 extern const Kernels kernels;
 }
-#if defined(__x86_64__)
+#if defined(SOLIDEM_COMPILED_FOR_x86_64_v3)
 namespace x86_64_v3 {
 extern const Kernels kernels;
 }
+#endif
+#if defined(SOLIDEM_COMPILED_FOR_x86_64_v4)
 namespace x86_64_v4 {
 extern const Kernels kernels;
 }
@@ -21,11 +23,13 @@ extern const Kernels kernels;
 
 std::vector<const Kernels*> usable_kernels() {
   std::vector<const Kernels*> usable;
-#if defined(__x86_64__)
+#if defined(SOLIDEM_COMPILED_FOR_x86_64_v4)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512cd"))
     usable.push_back(&x86_64_v4::kernels);
+#endif
+#if defined(SOLIDEM_COMPILED_FOR_x86_64_v3)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
       __builtin_cpu_supports("bmi2"))
     usable.push_back(&x86_64_v3::kernels);
