@@ -32,6 +32,14 @@ class Values:
     values: Floats  #: (n,)
 
 
+@dataclass(frozen=True)
+class Surface:
+    """Triangles."""
+
+    vertices: Floats  #: (V, 3) m
+    facets: Integers  #: (F, 3)
+
+
 @dataclass
 class Specimen:
     """Elements and bonds of bodies; the order of elements is that of the file, in every code."""
@@ -50,6 +58,7 @@ class Specimen:
     powers: dict[str, Values] = field(default_factory=dict)  #: constant heat sources, W
     conducting: Integers | None = None  #: (C, 2), i < j; None: the bonded pairs
     bodies: int = 1  #: how many there are
+    surfaces: dict[str, Surface] = field(default_factory=dict)  #: of tools by name, at the start
 
     @property
     def conductors(self) -> Integers:
@@ -162,6 +171,7 @@ class Contact:
     tangential_stiffness_ratio: float = 0.8  #: k_t / k_n
     friction: float = 0.0  #: Coulomb's coefficient
     restitution: float = 1.0  #: e
+    damping_ratio: float = 0.0  #: ζ that gives e where the dashpot does not pull
 
     def of_beams_alone(self) -> bool:
         """Whether contacts are as stiff as bonds, smooth and elastic."""
@@ -236,6 +246,27 @@ class Grip:
 
 
 @dataclass(frozen=True)
+class Tool:
+    """A rigid body that elements touch, at rest or in steady motion."""
+
+    name: str
+    shape: str  #: "plane", "box", "sphere", "cylinder" or "mesh"
+    origin: tuple[float, float, float]  #: m
+    axis: tuple[float, float, float]  #: of a plane its normal, of a cylinder its axis; unit
+    stiffness: float  #: k_n, N/m
+    tangential_stiffness: float  #: k_t, N/m
+    friction: float  #: Coulomb's coefficient
+    restitution: float  #: e
+    damping_ratio: float  #: ζ that gives e where the dashpot does not pull
+    velocity: tuple[float, float, float]  #: m/s
+    angular_velocity: float  #: rad/s
+    rotation_axis: tuple[float, float, float]  #: unit
+    rotation_point: tuple[float, float, float]  #: of that axis at the start, m
+    elements_that_overlap_at_the_start: int
+    deepest_overlap_at_the_start: float  #: m
+
+
+@dataclass(frozen=True)
 class Parameters:
     """What a scene asks for."""
 
@@ -256,6 +287,8 @@ class Parameters:
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  #: acceleration of free fall, m/s²
     local_damping: float = 0.0  #: Cundall's coefficient
     bond_damping: float = 0.0  #: critical ratio of the dashpots of bonds
+    tools: tuple[Tool, ...] = ()
+    initial_velocities: bool = False  #: whether elements move when a run begins
 
     @property
     def is_loose(self) -> bool:
@@ -277,6 +310,13 @@ def _values(group: Any, name: str) -> dict[str, Values]:
     """Values of some elements by the names of the groups that hold them."""
     return {key: Values(np.asarray(entry["elements"][:], dtype=np.int64),
                         np.asarray(entry[name][:], dtype=float)) for key, entry in group.items()}
+
+
+def _surfaces(group: Any) -> dict[str, Surface]:
+    """Of tools, by name."""
+    return {name: Surface(np.asarray(own["vertices"][:], dtype=float),
+                          np.asarray(own["facets"][:], dtype=np.int64))
+            for name, own in group.items()}
 
 
 def read_specimen(path: str | Path) -> Specimen:
@@ -307,6 +347,7 @@ def read_specimen(path: str | Path) -> Specimen:
                 _values(loads.get("powers", {}), "power"),
                 np.asarray(loads["pairs"][:], dtype=np.int64) if "pairs" in loads else None,
                 len(file["bodies"]) if "bodies" in file else 1,
+                _surfaces(file.get("tools", {})),
             )
     except OSError as error:
         raise PreparedError(f"{path}: cannot be read as HDF5 ({error})") from error
@@ -339,6 +380,36 @@ def _grips(entries: list[dict[str, Any]], unsupported: list[str]) -> tuple[Grip,
         try:
             x, y, z = (_axis_velocity(axis, f"grip {entry['name']}") for axis in entry["axes"])
             found.append(Grip(entry["name"], (x, y, z), entry["rotation"] == "fixed"))
+        except PreparedError as error:
+            unsupported.append(str(error))
+    return tuple(found)
+
+
+def _tool(entry: dict[str, Any]) -> Tool:
+    """A tool whose motion is steady; PreparedError of others."""
+    where = f"tool {entry['name']}"
+    if entry["motion"] != "velocity":
+        raise PreparedError(f"{where}: is moved by a {entry['motion']}; only steady velocities are "
+                            "understood")
+    known = {name: entry[name] for name in Tool.__dataclass_fields__ if name in entry}
+    for name in ("origin", "axis", "rotation_axis", "rotation_point"):
+        known[name] = _vector(entry[name])
+    known["velocity"] = _vector([_steady(along, where) for along in entry["along"]])
+    known["angular_velocity"] = _steady(entry["angular_velocity"], where)
+    return Tool(**known)
+
+
+def _steady(function: dict[str, Any], where: str) -> float:
+    """Like _constant; zero of a function that is not given."""
+    return _constant(function, where) if function["value"] or function["amplitude"] else 0.0
+
+
+def _tools(entries: list[dict[str, Any]], unsupported: list[str]) -> tuple[Tool, ...]:
+    """Tools at rest or in steady motion; others are unsupported."""
+    found = []
+    for entry in entries:
+        try:
+            found.append(_tool(entry))
         except PreparedError as error:
             unsupported.append(str(error))
     return tuple(found)
@@ -415,7 +486,7 @@ def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
 #: test holds them to the sections of the program.
 KNOWN_SECTIONS = {"beams", "plasticity", "rupture", "contact", "damage", "central_forces", "grips",
                   "gravity", "damping", "conduction", "thermal_contacts", "heat_sources",
-                  "heat_fluxes", "convections", "temperatures", "initial_velocities"}
+                  "heat_fluxes", "convections", "temperatures", "initial_velocities", "tools"}
 
 
 def _unknown_sections(effects: list[dict[str, str]]) -> list[str]:
@@ -440,12 +511,10 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
     if laws.get("conduction"):
         conduction = _conduction(laws["conduction"], unsupported)
     contact = _known(Contact, laws.get("contact"))
-    loose = contact is not None and not laws.get("beams") and not laws.get("central_forces")
-    if explained.get("initial_velocities") and not loose:
-        unsupported.append("initial velocities are understood of loose elements alone")
-    if contact is not None and not loose and not contact.of_beams_alone():
-        unsupported.append("[contact] with a stiffness of its own, friction or restitution is "
-                           "understood of loose elements alone")
+    if laws.get("central_forces"):
+        unsupported += [f"{what} are not understood beside [central_forces]"
+                        for what, there in (("initial velocities", "initial_velocities"),
+                                            ("[[tools]]", "tools")) if explained.get(there)]
     unsupported += _state_of_yield(laws.get("plasticity") or {})
     unsupported += _unknown_sections(explained.get("effects") or [])
     if (laws.get("damage") or {}).get("free_faces") == "left_out":
@@ -454,6 +523,7 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         unsupported.append("cracks among bonded elements are not understood")
     if laws.get("damping", {}).get("viscous") is not None:
         unsupported.append("viscous damping is not understood")
+    tools = _tools(explained.get("tools") or [], unsupported)
     for entry in explained.get("powers") or []:
         if not entry["constant"]:
             unsupported.append(f"heat source {entry['name']}: varies; only constants in elements "
@@ -476,6 +546,8 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         _vector(laws.get("gravity", {}).get("acceleration", (0, 0, 0))),
         float(laws.get("damping", {}).get("local") or 0.0),
         float(laws.get("damping", {}).get("bonds") or 0.0),
+        tools,
+        bool(explained.get("initial_velocities")),
     )
 
 

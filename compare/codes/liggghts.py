@@ -16,6 +16,7 @@ import numpy as np
 from compare.codes.base import ROOT, Job, TwoSpheres, run_program, said_version
 from compare.codes.dump import read_dump, read_rows
 from compare.result import CodeFailure, Floats, Result
+from contrib.liggghts.contacts import has_contacts, tool_places, types_of
 from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, central_lines, full,
                                      heat_lines, loose_lines, sphere_density, write_data)
 from contrib.prepared import Beams, Parameters, PreparedError, Specimen
@@ -75,7 +76,7 @@ def _motion_columns(parameters: Parameters) -> dict[str, str]:
     absent = set() if parameters.plasticity else {"plastic_work"}
     absent |= set() if rupture else {"fracture_energy", "broken_bonds"}
     absent |= set() if rupture and rupture.minimal_bonds else {"removed_elements"}
-    absent |= set() if contact else {"contact_energy"}
+    absent |= set() if contact and rupture else {"contact_energy"}
     absent |= set() if contact and contact.rebonding_pressure else {"bonds_formed"}
     return {name: words for name, words in MOTION.items() if name not in absent}
 
@@ -219,14 +220,16 @@ class Liggghts:
         parameters.require_support()
         explained = json.loads(job.explained.read_text())
         bonds = bonds_of(specimen, parameters)
+        types = types_of(specimen, parameters) if has_contacts(parameters) else None
         write_data(directory / "specimen.data", specimen, bonds,
-                   sphere_density(specimen, explained))
+                   sphere_density(specimen, explained), types, tool_places(specimen, parameters))
         script = HEAD.format(
             # Fragments under central forces fly anywhere.
-            boundary=" ".join("p" if p else "f" if parameters.beams or parameters.conduction
-                              else "s" for p in specimen.periodic),
+            boundary=" ".join("p" if p else "m" if parameters.tools else "f"
+                              if parameters.beams or parameters.conduction else "s"
+                              for p in specimen.periodic),
             # Contacts that remember ask for newton off.
-            newton="off" if parameters.is_loose else "on",
+            newton="off" if has_contacts(parameters) else "on",
             skin=0.5 * float(specimen.radius.mean()), time_step=parameters.time_step)
         script += "" if parameters.beams else "bond_style none\n"
         columns: dict[str, tuple[str, ...]] = {}
@@ -234,12 +237,12 @@ class Liggghts:
             script += _heat_lines(job, explained, directory)
             columns["temperature"] = ("f_Temp",)
         if parameters.beams:
-            script += beam_lines(specimen, parameters)
+            script += beam_lines(specimen, parameters, directory)
         if parameters.central_forces:
             script += central_lines(specimen, parameters)
             columns |= _damage_columns(parameters)
         if parameters.is_loose:
-            script += loose_lines(specimen, parameters)
+            script += loose_lines(specimen, parameters, directory)
         if parameters.beams or parameters.central_forces or parameters.is_loose:
             script += _history_lines(parameters, job.observe_every)
             columns["position"] = (("x", "y", "z") if parameters.beams else ("xu", "yu", "zu"))

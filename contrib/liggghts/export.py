@@ -6,10 +6,11 @@
     solidem explain scene.toml --json > explained.json
     contrib/liggghts/export.py prepared.h5 explained.json DIRECTORY
 
-writes DIRECTORY/body.data, and DIRECTORY/beams.in (bonds, grips and motion), DIRECTORY/central.in
-(central forces, grips and motion) and DIRECTORY/heat.in, as the scene has beams, central forces and
-conduction, to be included after read_data; besides, where the scene has such, cells.txt (law
-voronoi), walls.txt (exchanges) and sources.txt (heat sources).
+writes DIRECTORY/run.in, a whole script, with what it reads: body.data, and beams.in (bonds, contacts,
+tools, grips and motion), central.in (central forces, grips and motion), grains.in (loose elements,
+tools and motion) and heat.in, as the scene has beams, central forces, loose elements and conduction;
+besides, where the scene has such, toolN.stl (meshes), cells.txt (law voronoi), walls.txt (exchanges)
+and sources.txt (heat sources).
 """
 
 from __future__ import annotations
@@ -24,34 +25,61 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+from contrib.liggghts.contacts import (Types, differences, full, has_contacts,  # noqa: E402
+                                       has_meshes, pair_lines, require_same_law, tool_lines, tool_places,
+                                       types_of)
 from contrib.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # noqa: E402
                               Grip, Integers, Parameters, Plasticity, PreparedError, Rupture,
                               Specimen, parse_parameters, read_specimen)
 
+#: Of the mean radius: how much farther lists look where there are contacts.
+SKIN = 0.2
 
-def full(value: float) -> str:
-    """A number with all its digits."""
-    return f"{value:.17g}"
+HEAD = """\
+units           si
+atom_style      hybrid granular molecular
+atom_modify     map array sort 0 0
+boundary        {boundary}
+newton          off
+communicate     single vel yes
+special_bonds   lj/coul 1 1 1
+read_data       body.data
+{styles}timestep        {time_step}
+"""
+FOOT = """\
+thermo          {every}
+dump            state all custom {every} state.txt id x y z vx vy vz fx fy fz
+dump_modify     state sort id format "%d{columns}"
+run             {steps}
+"""
 
 
-def write_data(path: Path, specimen: Specimen, pairs: Integers, density: Floats) -> None:
-    """A LIGGGHTS data file with these pairs as bonds; atom numbers are element indices plus one."""
+def write_data(path: Path, specimen: Specimen, pairs: Integers, density: Floats,
+               types: Types | None = None, places: Floats | None = None) -> None:
+    """A LIGGGHTS data file with these pairs as bonds; atom numbers are element indices plus one.
+
+    `types`: of atoms, all 1 without; `places`: (P, 3) points that the box must hold besides, m.
+    """
     margin = 4 * float(specimen.radius.max())
-    lower, upper = specimen.position.min(axis=0), specimen.position.max(axis=0)
+    held = specimen.position if places is None else np.concatenate([specimen.position, places])
+    lower, upper = held.min(axis=0), held.max(axis=0)
     margin += 0.2 * float((upper - lower).max())
+    of_element = (np.ones(len(specimen.radius), dtype=np.int64) if types is None
+                  else types.of_element)
     low = np.where(specimen.periodic, specimen.lower, lower - margin)
     high = np.where(specimen.periodic, specimen.upper, upper + margin)
     count, bonds = len(specimen.radius), len(pairs)
     most = int(np.bincount(pairs.ravel(), minlength=1).max()) if bonds else 1
     with open(path, "w") as file:
-        file.write(f"specimen\n\n{count} atoms\n{bonds} bonds\n1 atom types\n1 bond types\n"
+        file.write(f"specimen\n\n{count} atoms\n{bonds} bonds\n"
+                   f"{types.count if types else 1} atom types\n1 bond types\n"
                    f"{most} extra bond per atom\n\n")
         for a, b, name in zip(low, high, "xyz"):
             file.write(f"{full(a)} {full(b)} {name}lo {name}hi\n")
         file.write("\nAtoms\n\n")
         for n, (x, r, d) in enumerate(zip(specimen.position, specimen.radius, density)):
             words = " ".join(map(full, (*x, 2 * r, d)))
-            file.write(f"{n + 1} 1 {words} 1\n")
+            file.write(f"{n + 1} {of_element[n]} {words} 1\n")
         if "mechanics/velocity" in specimen.columns:
             file.write("\nVelocities\n\n")
             for n, v in enumerate(specimen.column("mechanics/velocity")):
@@ -158,19 +186,23 @@ def _law_words(parameters: dict[str, float]) -> list[str]:
     return [word for name, value in parameters.items() for word in (name, full(value))]
 
 
-def beam_lines(specimen: Specimen, parameters: Parameters) -> str:
-    """The commands for bonds, grips and motion. Groups and fixes of the grips are called grip0 ... in
-    the order of the scene, all other elements are the group free."""
+def beam_lines(specimen: Specimen, parameters: Parameters, directory: Path = Path()) -> str:
+    """The commands for bonds, contacts, tools, grips and motion; meshes of tools go to the directory.
+
+    Groups and fixes of the grips are called grip0 ... in the order of the scene, all other elements
+    are the group free.
+    """
     parameters.require_support()
     if parameters.beams is None:
         raise PreparedError(f"{specimen.path}: the scene has no [beams]")
     parameters.beams.rigidity(specimen)
+    of_broken_bonds = parameters.contact if parameters.rupture else None
     words = bond_words(parameters.beams, parameters.plasticity, parameters.rupture,
-                       parameters.contact, parameters.bond_damping)
+                       of_broken_bonds, parameters.bond_damping)
     minimal = parameters.rupture.minimal_bonds if parameters.rupture else 0
     lines = f"bond_style solidem/beam\nbond_coeff 1 {words}\nfix bonds all solidem/bonds"
     lines += f" minimal_bonds {minimal}\n" if minimal else "\n"
-    lines += field_lines(parameters)
+    lines += contact_lines(specimen, parameters, directory) + field_lines(parameters)
     for number, grip in enumerate(parameters.grips):
         lines += _grip_lines(f"grip{number}", grip, specimen.sets[f"grip.{grip.name}"])
         if parameters.bond_damping:  # which sees velocities from the start
@@ -180,32 +212,26 @@ def beam_lines(specimen: Specimen, parameters: Parameters) -> str:
     return lines + f"fix motion {'free' if held else 'all'} nve/solidem\n"
 
 
-def contact_stiffness(specimen: Specimen, contact: Contact) -> float:
-    """k_n, N/m, which LIGGGHTS' linear law has once for all pairs of a type."""
-    if contact.normal_stiffness is not None:
-        return contact.normal_stiffness
-    radius = specimen.radius
-    if contact.young_modulus is None or np.ptp(radius) > 1e-12 * radius.max():
-        raise PreparedError("[contact]: LIGGGHTS' linear law takes one stiffness for all pairs; give "
-                            "normal_stiffness, or elements of one radius")
-    return contact.young_modulus * float(radius[0])
+def contact_lines(specimen: Specimen, parameters: Parameters, directory: Path) -> str:
+    """The commands for contacts and tools in LIGGGHTS' own words, if the scene has such."""
+    require_same_law(specimen, parameters)
+    if not has_contacts(parameters):
+        return ""
+    types = types_of(specimen, parameters)
+    # Bins do not work in a box that is small beside them, meshes not without.
+    search = "bin" if len(specimen.radius) > 100 or has_meshes(parameters) else "nsq"
+    return (f"neighbor {full(SKIN * float(specimen.radius.mean()))} {search}\n"
+            "neigh_modify delay 0 every 1 check yes once no\n"
+            + pair_lines(types, parameters) + tool_lines(specimen, parameters, types, directory))
 
 
-def loose_lines(specimen: Specimen, parameters: Parameters) -> str:
-    """The commands for loose elements: LIGGGHTS' own linear spring with Coulomb friction."""
+def loose_lines(specimen: Specimen, parameters: Parameters, directory: Path = Path()) -> str:
+    """The commands for loose elements and tools; meshes go to the directory."""
     parameters.require_support()
-    contact = parameters.contact
-    if contact is None or contact.restitution != 1 or parameters.grips:
-        raise PreparedError("loose elements without grips, and with restitution = 1, are understood")
-    normal = contact_stiffness(specimen, contact)
-    numbers = {"kn": normal, "kt": contact.tangential_stiffness_ratio * normal, "gamman": 0.0,
-               "gammat": 0.0, "coefficientFriction": contact.friction}
-    lines = f"neighbor {full(0.2 * float(specimen.radius.mean()))} nsq\n"
-    lines += "neigh_modify delay 0 every 1 check yes once no\n"
-    for name, value in numbers.items():
-        lines += f"fix {name} all property/global {name} peratomtypepair 1 {full(value)}\n"
-    lines += "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n"
-    return lines + field_lines(parameters) + "fix motion all nve/sphere\n"
+    if parameters.grips:
+        raise PreparedError("[[grips]] among loose elements are not understood")
+    return (contact_lines(specimen, parameters, directory) + field_lines(parameters)
+            + "fix motion all nve/sphere\n")
 
 
 def field_lines(parameters: Parameters) -> str:
@@ -353,6 +379,31 @@ def _write_sources(path: Path, specimen: Specimen, parameters: Parameters) -> No
     path.write_text("".join([f"{len(heated)}\n", *(f"{i + 1} {full(power[i])}\n" for i in heated)]))
 
 
+def whole_script(specimen: Specimen, parameters: Parameters, parts: list[str]) -> str:
+    """A script that reads body.data and these parts, and runs what the scene runs."""
+    boundary = " ".join("p" if p else "m" for p in specimen.periodic)
+    styles = "bond_style      none\n" if parameters.beams is None else ""
+    if not parameters.central_forces:
+        skin = full(0.5 * float(specimen.radius.mean()))
+        styles = f"pair_style      none\nneighbor        {skin} bin\n" + styles
+    every = max(1, parameters.steps // 10)
+    return (HEAD.format(boundary=boundary, styles=styles, time_step=full(parameters.time_step))
+            + "".join(f"include         {part}\n" for part in parts)
+            + FOOT.format(every=every, columns=" %.17g" * 9, steps=parameters.steps))
+
+
+def _tell_differences(specimen: Specimen, parameters: Parameters, nearly: bool) -> None:
+    """PreparedError where contacts are not quite the scene's, or a note where that is wanted."""
+    parameters.require_support()
+    require_same_law(specimen, parameters)
+    found = differences(specimen, parameters)
+    if found and not nearly:
+        raise PreparedError("LIGGGHTS does not do quite the same. " + ". ".join(found)
+                            + ". With --nearly it is written all the same")
+    for one in found:
+        print(f"export.py: note: {one}", file=sys.stderr)
+
+
 def main() -> None:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__,
@@ -360,21 +411,28 @@ def main() -> None:
     parser.add_argument("specimen", type=Path, help="output of solidem prepare, HDF5")
     parser.add_argument("parameters", type=Path, help="output of solidem explain --json")
     parser.add_argument("directory", type=Path, help="where the files go")
+    parser.add_argument("--nearly", action="store_true",
+                        help="also where contacts are those of LIGGGHTS only nearly; says where")
     arguments = parser.parse_args()
     arguments.directory.mkdir(parents=True, exist_ok=True)
     try:
         specimen = read_specimen(arguments.specimen)
         explained = json.loads(arguments.parameters.read_text())
         parameters = parse_parameters(explained)
+        _tell_differences(specimen, parameters, arguments.nearly)
         lines = {}
         if parameters.beams:
-            lines["beams.in"] = beam_lines(specimen, parameters)
+            lines["beams.in"] = beam_lines(specimen, parameters, arguments.directory)
         if parameters.central_forces:
             lines["central.in"] = central_lines(specimen, parameters)
+        if parameters.is_loose:
+            lines["grains.in"] = loose_lines(specimen, parameters, arguments.directory)
         if parameters.conduction or not lines:
             lines["heat.in"] = heat_lines(specimen, parameters, explained, arguments.directory)
+        types = types_of(specimen, parameters) if has_contacts(parameters) else None
         write_data(arguments.directory / "body.data", specimen, bonds_of(specimen, parameters),
-                   sphere_density(specimen, explained))
+                   sphere_density(specimen, explained), types, tool_places(specimen, parameters))
+        lines["run.in"] = whole_script(specimen, parameters, list(lines))
         for name, text in lines.items():
             (arguments.directory / name).write_text(text)
     except (PreparedError, OSError, ValueError) as error:

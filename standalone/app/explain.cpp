@@ -16,6 +16,8 @@
 #include "effects/heat_load_parameters.hpp"
 #include "effects/initial_velocities.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "effects/time_function_json.hpp"
+#include "effects/tools.hpp"
 #include "effects/turning_grip.hpp"
 #include "engine/body_figures.hpp"
 #include "engine/heat.hpp"
@@ -29,14 +31,6 @@ namespace solidem {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const TimeFunction& f) {
-  return {{"time", f.time},
-          {"value", f.value},
-          {"amplitude", f.amplitude},
-          {"frequency", f.frequency},
-          {"phase", f.phase}};
-}
 
 const char* name_of(AxisControl::Kind kind) {
   switch (kind) {
@@ -116,6 +110,15 @@ Json loads_of(const Setup& setup, Json report) {
   return report;
 }
 
+/// Tools as other codes must know them; their surfaces are in a prepared file.
+Json tools_of(const Simulation& simulation) {
+  Json tools = Json::array();
+  for (const auto& effect : simulation.effects())
+    if (const auto* tool = dynamic_cast<const Tool*>(effect.get()))
+      tools.push_back(tool->explanation());
+  return tools;
+}
+
 Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -187,6 +190,7 @@ Json report_of(const Scene& scene, const Simulation& simulation) {
   report["threads"] = omp_get_max_threads();
   report["instruction_set"] = kernels().instruction_set;
   report["laws"] = laws_of(simulation);
+  report["tools"] = tools_of(simulation);
   report["density"] = simulation.setup().materials[0].density;
   if (const Heat* heat = simulation.heat(); heat != nullptr && heat->integrator() != nullptr)
     report["integration"] = heat->integrator()->explanation();

@@ -11,6 +11,7 @@
 #include "effects/effect_kind.hpp"
 #include "effects/free_motion.hpp"
 #include "keys/rules.hpp"
+#include "laws/linear_contact.hpp"
 #include "model/error.hpp"
 
 namespace solidem {
@@ -170,6 +171,7 @@ EffectKind contact_kind() {
     ContactParameters p = *setup.get<ContactParameters>();
     ContactLaw law = law_of(setup);
     add_values(keys_of(p, law), values);
+    values["damping_ratio"] = restitution_damping_ratio(law.restitution);
   };
   kind.plan = plan_contact;
   kind.example =

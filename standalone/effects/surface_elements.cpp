@@ -50,6 +50,34 @@ bool is_exposed(const std::vector<Obstacle>& around, double distance,
   });
 }
 
+bool is_free(const std::vector<Obstacle>& around, const Vector& centre, std::size_t j,
+             std::size_t k) {
+  for (std::size_t n = 0; n < around.size(); ++n)
+    if (n != j && n != k && blocks(around[n], centre)) return false;
+  return true;
+}
+
+/// Whether a probe at this distance from the element that touches two of what stands around it
+/// finds room: the corners of every gap, however narrow, are such places.
+bool is_exposed_in_a_gap(const std::vector<Obstacle>& around, double distance) {
+  for (std::size_t j = 0; j < around.size(); ++j)
+    for (std::size_t k = j + 1; k < around.size(); ++k) {
+      const Vector &a = around[j].from, &b = around[k].from;
+      const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), square = distance * distance;
+      const double area = aa * bb - ab * ab;
+      if (!(area > 1e-12 * aa * bb)) continue;
+      const double along_a = 0.5 * (square + aa - around[j].reach * around[j].reach),
+                   along_b = 0.5 * (square + bb - around[k].reach * around[k].reach);
+      const double of_a = (along_a * bb - along_b * ab) / area,
+                   of_b = (along_b * aa - along_a * ab) / area;
+      const double height = square - of_a * along_a - of_b * along_b;
+      if (height < 0) continue;
+      const Vector foot = of_a * a + of_b * b, up = std::sqrt(height / area) * cross(a, b);
+      if (is_free(around, foot + up, j, k) || is_free(around, foot - up, j, k)) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> surface_elements(const Specimen& specimen) {
@@ -69,7 +97,9 @@ std::vector<std::int32_t> surface_elements(const Specimen& specimen) {
         if (!near.image.empty()) from += image_shift(specimen.domain, near.image[k]);
         around.push_back({from, specimen.radius[j] + probe});
       }
-      exposed[i] = is_exposed(around, specimen.radius[i] + probe, spread) ? 1 : 0;
+      const double distance = specimen.radius[i] + probe;
+      exposed[i] =
+          is_exposed(around, distance, spread) || is_exposed_in_a_gap(around, distance) ? 1 : 0;
     }
   });
   std::vector<std::int32_t> found;

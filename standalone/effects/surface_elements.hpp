@@ -11,7 +11,7 @@ namespace solidem {
 
 /// The elements that a sphere as small as the smallest element can touch without overlapping
 /// another, as the specimen stands, ascending: those at free surfaces, in wide pores, and those
-/// that stand alone. Directions are tried one by one, some ten degrees apart.
+/// that stand alone. Wide gaps are found by trying directions, narrow ones by their corners.
 std::vector<std::int32_t> surface_elements(const Specimen& specimen);
 
 }  // namespace solidem

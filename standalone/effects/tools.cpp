@@ -13,6 +13,7 @@
 #include "effects/push.hpp"
 #include "effects/removed_elements.hpp"
 #include "effects/selections.hpp"
+#include "effects/time_function_json.hpp"
 #include "model/axis_names.hpp"
 #include "model/blocks.hpp"
 #include "model/error.hpp"
@@ -399,12 +400,40 @@ void Tool::state(Archive& archive) {
   is_listed_ = false;
 }
 
-void Tool::show(const Model& model, Frame& frame) const {
+TriangleMesh Tool::surface(const Model& model) const {
   const Domain& domain = model.specimen().domain;
   TriangleMesh mesh = shape_->drawn(norm(domain.upper - domain.lower));
   const RigidPose now = pose();
   for (Vector& vertex : mesh.vertices) vertex = now.to_world(vertex);
+  return mesh;
+}
+
+void Tool::show(const Model& model, Frame& frame) const {
+  TriangleMesh mesh = surface(model);
   frame.add({name_, std::move(mesh.vertices), std::move(mesh.facets)});
+}
+
+Summary Tool::explanation() const {
+  const auto triple = [](const Vector& v) { return Summary{v.x, v.y, v.z}; };
+  Summary told{{"name", name_},
+               {"shape", shape_->name()},
+               {"origin", triple(start_.position)},
+               {"axis", triple(rotate(start_.orientation, Vector{0, 0, 1}))},
+               {"stiffness", stiffness_},
+               {"tangential_stiffness", tangential_stiffness_},
+               {"friction", contact_.friction},
+               {"restitution", contact_.restitution},
+               {"damping_ratio", damping_ratio_},
+               {"motion", motion_.drive     ? "force"
+                          : motion_.is_path ? "path"
+                                            : "velocity"},
+               {"angular_velocity", to_json(motion_.angular_velocity)},
+               {"rotation_axis", triple(motion_.rotation_axis)},
+               {"rotation_point", triple(motion_.rotation_point)},
+               {"elements_that_overlap_at_the_start", fitted_},
+               {"deepest_overlap_at_the_start", deepest_fitted_}};
+  for (const TimeFunction& along : motion_.along) told["along"].push_back(to_json(along));
+  return told;
 }
 
 void Tool::summarise(const Model& /*model*/, Summary& summary) const {

@@ -51,6 +51,11 @@ class Tool : public Effect {
   void summarise(const Model& model, Summary& summary) const override;
 
   const std::string& name() const { return name_; }
+  /// What other codes must know of it, in SI units: shape, contact, motion, and how many elements
+  /// touch it from the start on.
+  Summary explanation() const;
+  /// Its surface where it is; of a plane a square that is larger than the body.
+  TriangleMesh surface(const Model& model) const;
   RigidPose pose() const { return moved(start_, motion_, displacement_, angle_); }
   /// How often candidates were sought.
   std::size_t searches() const { return searches_; }

@@ -44,6 +44,7 @@ class ConvexShape : public RigidShape {
 
 class Plane : public ConvexShape {
  public:
+  const char* name() const override { return "plane"; }
   double extent() const override { return std::numeric_limits<double>::infinity(); }
   TriangleMesh drawn(double size) const override {
     return {{{-size, -size, 0}, {size, -size, 0}, {size, size, 0}, {-size, size, 0}},
@@ -60,6 +61,7 @@ class Box : public ConvexShape {
  public:
   explicit Box(const Vector& size) : half_(0.5 * size) {}
 
+  const char* name() const override { return "box"; }
   double extent() const override { return norm(half_); }
   TriangleMesh drawn(double /*size*/) const override {
     TriangleMesh mesh;
@@ -98,6 +100,7 @@ class Ball : public ConvexShape {
  public:
   explicit Ball(double radius) : radius_(radius) {}
 
+  const char* name() const override { return "sphere"; }
   double extent() const override { return radius_; }
   TriangleMesh drawn(double /*size*/) const override {
     TriangleMesh mesh;
@@ -140,6 +143,7 @@ class Cylinder : public ConvexShape {
  public:
   Cylinder(double radius, double length) : radius_(radius), half_(0.5 * length) {}
 
+  const char* name() const override { return "cylinder"; }
   double extent() const override { return std::sqrt(radius_ * radius_ + half_ * half_); }
   TriangleMesh drawn(double /*size*/) const override {
     TriangleMesh mesh;
@@ -206,6 +210,7 @@ class MeshShape : public RigidShape {
     touched.finish(found);
   }
 
+  const char* name() const override { return "mesh"; }
   double distance(const Vector& point, double reach) const override {
     const ClosestPoint nearest = tree_.closest(point, reach);
     if (nearest.facet >= 0) return surface_point(nearest, point).distance;

@@ -23,6 +23,9 @@ class RigidShape {
  public:
   virtual ~RigidShape() = default;
 
+  /// "plane", "box", "sphere", "cylinder" or "mesh", as scene files call it.
+  virtual const char* name() const = 0;
+
   /// Adds the places where a ball touches the surface. On what is flat or bulges there is one, the
   /// closest; in a hollow one for each face that the ball rests on.
   virtual void find_touching(const Vector& centre, double radius,

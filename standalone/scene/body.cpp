@@ -9,6 +9,7 @@
 #include "effects/central_forces.hpp"
 #include "effects/conduction_parameters.hpp"
 #include "effects/initial_velocities.hpp"
+#include "effects/tools.hpp"
 #include "engine/heat.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "output/hdf5.hpp"
@@ -153,6 +154,24 @@ void write_conduction(const Hdf5File& file, const Simulation& simulation) {
   }
 }
 
+/// Surfaces of tools at the start.
+void write_tools(const Hdf5File& file, const Simulation& simulation) {
+  if (simulation.find<Tool>() == nullptr) return;
+  const Hdf5Group group = file.make_group("tools");
+  for (const auto& effect : simulation.effects()) {
+    const auto* tool = dynamic_cast<const Tool*>(effect.get());
+    if (tool == nullptr) continue;
+    const TriangleMesh mesh = tool->surface(simulation.model());
+    std::vector<double> vertices;
+    for (const Vector& v : mesh.vertices) vertices.insert(vertices.end(), {v.x, v.y, v.z});
+    std::vector<std::int32_t> facets;
+    for (const auto& facet : mesh.facets) facets.insert(facets.end(), facet.begin(), facet.end());
+    const Hdf5Group own = group.make_group(tool->name());
+    own.write("vertices", vertices.data(), {mesh.vertices.size(), 3});
+    own.write("facets", facets.data(), {mesh.facets.size(), 3});
+  }
+}
+
 }  // namespace
 
 void write_prepared(const std::string& path, const Simulation& simulation) {
@@ -169,6 +188,7 @@ void write_prepared(const std::string& path, const Simulation& simulation) {
       [&](const Hdf5File& file) {
         put_specimen(file, specimen);
         if (model.has(columns::inverse_mass)) write_mechanics(file, simulation);
+        write_tools(file, simulation);
         if (model.has(columns::inverse_heat_capacity)) write_conduction(file, simulation);
       },
       Seal::present);
