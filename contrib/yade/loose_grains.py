@@ -2,28 +2,74 @@
 """Loose elements in YADE: its native linear spring with Coulomb friction (Cundall and Strack).
 
 Nothing of the law is solidem's. Radii, masses, moments of inertia and the velocities of the start are
-those of the prepared specimen; stiffness and friction follow from YADE's own `FrictMat`.
+those of the prepared specimen; stiffness and friction follow from YADE's own `FrictMat`, or from tables of
+pairs of materials where there are tools, which become walls, or one stiffness for all.
 """
 
 from __future__ import annotations
 
 import math
 
+import numpy as np
 from motion import MotionScene, add_spheres
-from prepared import Contact, Parameters, PreparedError, Specimen
-from yade import (Bo1_Sphere_Aabb, ForceResetter, FrictMat, Ig2_Sphere_Sphere_ScGeom,
-                  InsertionSortCollider, InteractionLoop, Ip2_FrictMat_FrictMat_FrictPhys,
-                  Law2_ScGeom_FrictPhys_CundallStrack, O, PyRunner)
+from prepared import Contact, Parameters, PreparedError, Specimen, Tool
+from yade import (Bo1_Sphere_Aabb, Bo1_Wall_Aabb, ForceResetter, FrictMat,
+                  Ig2_Sphere_Sphere_ScGeom, Ig2_Wall_Sphere_ScGeom, InsertionSortCollider,
+                  InteractionLoop, Ip2_FrictMat_FrictMat_FrictPhys,
+                  Law2_ScGeom_FrictPhys_CundallStrack, MatchMaker, O, PyRunner, utils)
 
 
 def _material(contact: Contact) -> FrictMat:
-    if contact.young_modulus is None:
-        raise PreparedError("YADE's FrictMat takes [contact] young_modulus, no other stiffness")
     if contact.restitution != 1:
         raise PreparedError("[contact] restitution: YADE's native law has no dashpot")
-    # Its name notwithstanding, poisson is k_s / k_n.
-    return FrictMat(young=contact.young_modulus, poisson=contact.tangential_stiffness_ratio,
+    # Its name notwithstanding, poisson is k_s / k_n. A young that is not asked for is for show.
+    return FrictMat(young=contact.young_modulus or 1, poisson=contact.tangential_stiffness_ratio,
                     frictionAngle=math.atan(contact.friction), density=1)
+
+
+def _one_stiffness(specimen: Specimen, contact: Contact) -> float:
+    """k_n of all pairs of elements, N/m, which a table of materials takes."""
+    if contact.normal_stiffness is not None:
+        return contact.normal_stiffness
+    radius = specimen.radius
+    if contact.young_modulus is None or np.ptp(radius) > 1e-12 * float(radius.max()):
+        raise PreparedError("[contact] beside [[tools]]: YADE takes one stiffness for a pair of "
+                            "materials; give normal_stiffness, or elements of one radius")
+    return contact.young_modulus * float(radius[0])
+
+
+def _law_of_pairs(specimen: Specimen, parameters: Parameters) -> Ip2_FrictMat_FrictMat_FrictPhys:
+    """Stiffness and friction of elements (material 0) and of each tool (1, 2, ...)."""
+    contact, tools = parameters.contact, parameters.tools
+    if contact.normal_stiffness is None and not tools:
+        return Ip2_FrictMat_FrictMat_FrictPhys()
+    normal = _one_stiffness(specimen, contact)
+    rows = [(normal, contact.tangential_stiffness_ratio * normal, contact.friction)]
+    rows += [(tool.stiffness, tool.tangential_stiffness, tool.friction) for tool in tools]
+
+    def table(values: list[float]) -> MatchMaker:
+        return MatchMaker(matches=[(0, k, value) for k, value in enumerate(values)])
+
+    return Ip2_FrictMat_FrictMat_FrictPhys(
+        kn=table([row[0] for row in rows]), ks=table([row[1] for row in rows]),
+        frictAngle=table([math.atan(row[2]) for row in rows]))
+
+
+def _add_wall(tool: Tool) -> None:
+    """A plane across an axis, at rest or in steady motion."""
+    axis = int(np.argmax(np.abs(tool.axis)))
+    if tool.shape != "plane" or abs(tool.axis[axis]) < 1 - 1e-14 or tool.angular_velocity:
+        raise PreparedError(f"tool {tool.name}: planes across an axis that do not turn are understood "
+                            "in YADE")
+    if tool.restitution != 1:
+        raise PreparedError(f"tool {tool.name}: restitution: YADE's native law has no dashpot")
+    if tool.deepest_overlap_at_the_start > 1e-12:
+        raise PreparedError(f"tool {tool.name}: elements overlap it at the start, by "
+                            f"{tool.deepest_overlap_at_the_start:g} m at most; YADE would push them")
+    material = O.materials.append(FrictMat(young=1, poisson=1, frictionAngle=0, density=1))
+    wall = utils.wall(tool.origin, axis, sense=int(np.sign(tool.axis[axis])), material=material)
+    O.bodies.append(wall)
+    wall.state.vel = tool.velocity
 
 
 class LooseGrainScene(MotionScene):
@@ -40,14 +86,18 @@ class LooseGrainScene(MotionScene):
         if "mechanics/velocity" in specimen.columns:
             for body, v in zip(O.bodies, specimen.column("mechanics/velocity").tolist()):
                 body.state.vel = v
+        for tool in parameters.tools:
+            _add_wall(tool)
         O.engines = [
             ForceResetter(),
-            InsertionSortCollider([Bo1_Sphere_Aabb()],
+            InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()],
                                   verletDist=0.2 * float(specimen.radius.mean())),
             # Levers end at the middle of the overlap, and no granular ratcheting is undone.
-            InteractionLoop([Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False)],
-                            [Ip2_FrictMat_FrictMat_FrictPhys()],
-                            [Law2_ScGeom_FrictPhys_CundallStrack()]),
+            InteractionLoop([Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False),
+                             Ig2_Wall_Sphere_ScGeom(noRatch=False)],
+                            [_law_of_pairs(specimen, parameters)],
+                            # Levers are those of spheres otherwise, of walls too.
+                            [Law2_ScGeom_FrictPhys_CundallStrack(sphericalBodies=False)]),
             PyRunner(iterPeriod=1, nDo=2, initRun=True, command="scene.start_motion()"),
             PyRunner(iterPeriod=1, initRun=True, label="observer", command="scene.observe()"),
             self.newton(exactAsphericalRot=False),

@@ -87,7 +87,7 @@ class MotionScene:
         return np.asarray(force) + self.weight_of(elements)
 
     def _frame(self) -> dict[str, Floats]:
-        return {"position": bulk_positions()}
+        return {"position": bulk_positions()[:len(self.specimen.radius)]}
 
     def run(self, steps: int) -> None:
         """Runs until the state after `steps` steps has been observed."""

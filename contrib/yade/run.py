@@ -50,8 +50,8 @@ def _scene(specimen: Specimen, parameters: Parameters, law: str):
     parameters.require_support()
     if parameters.beams and parameters.conduction:
         raise SystemExit("run.py: beams and conduction together are not supported in YADE")
-    if parameters.tools:
-        raise SystemExit("run.py: [[tools]] are not supported in YADE")
+    if parameters.tools and not parameters.is_loose:
+        raise SystemExit("run.py: [[tools]] are understood of loose elements alone")
     if parameters.initial_velocities and not parameters.is_loose:
         raise SystemExit("run.py: initial velocities are understood of loose elements alone")
     if parameters.contact and not parameters.is_loose and law != "scripted":
