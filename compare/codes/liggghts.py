@@ -16,8 +16,8 @@ import numpy as np
 from compare.codes.base import ROOT, Job, TwoSpheres, run_program, said_version
 from compare.codes.dump import read_dump, read_rows
 from compare.result import CodeFailure, Floats, Result
-from contrib.liggghts.contacts import has_contacts, tool_places, types_of
-from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, central_lines, full,
+from contrib.liggghts.contacts import full, has_contacts, tool_places, types_of
+from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, central_lines,
                                      heat_lines, loose_lines, sphere_density, write_data)
 from contrib.prepared import Beams, Parameters, PreparedError, Specimen
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Contacts and tools in LIGGGHTS' own words: `gran` models, walls, meshes that move.
 
-The linear spring with Coulomb friction is `model hooke/stiffness tangential history` there. It takes
-its constants from matrices over pairs of atom types, so what tells contacts apart becomes a type: radius
-and mass of the elements as far as stiffness and dashpot hang on them, and each tool.
+The linear spring with Coulomb friction is `model hooke/stiffness tangential history` there. It
+takes its constants from matrices over pairs of atom types, so what tells contacts apart becomes a
+type: radius and mass of the elements as far as stiffness and dashpot hang on them, and each tool.
 """
 
 from __future__ import annotations
@@ -106,9 +106,10 @@ def _stiffness(contact: Contact, beams: Beams | None, radius: Floats) -> Floats:
         return np.asarray(2 * contact.young_modulus * r_i * r_j / (r_i + r_j))
     if beams is None:
         raise PreparedError("[contact]: nothing says how stiff contacts are")
-    beam = (beams.radius_ratio * 0.5 * (r_i + r_j) if beams.radius_from == "pair"
-            else beams.radius_ratio * beams.mean_radius)
-    return np.asarray(contact.stiffness_ratio * beams.young_modulus * np.pi * beam**2 / (r_i + r_j))
+    mean = (0.5 * (r_i + r_j) if beams.radius_from == "pair"
+            else np.full((len(radius),) * 2, beams.mean_radius))
+    area = np.pi * (beams.radius_ratio * mean) ** 2
+    return np.asarray(contact.stiffness_ratio * beams.young_modulus * area / (r_i + r_j))
 
 
 def _dashpot(ratio: float, stiffness: Floats, inverse_mass: Floats) -> Floats:

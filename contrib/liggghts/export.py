@@ -6,11 +6,11 @@
     solidem explain scene.toml --json > explained.json
     contrib/liggghts/export.py prepared.h5 explained.json DIRECTORY
 
-writes DIRECTORY/run.in, a whole script, with what it reads: body.data, and beams.in (bonds, contacts,
-tools, grips and motion), central.in (central forces, grips and motion), grains.in (loose elements,
-tools and motion) and heat.in, as the scene has beams, central forces, loose elements and conduction;
-besides, where the scene has such, toolN.stl (meshes), cells.txt (law voronoi), walls.txt (exchanges)
-and sources.txt (heat sources).
+writes DIRECTORY/run.in, a whole script, with what it reads: body.data, and beams.in (bonds,
+contacts, tools, grips and motion), central.in (central forces, grips and motion), grains.in (loose
+elements, tools and motion) and heat.in, as the scene has beams, central forces, loose elements and
+conduction; besides, where the scene has such, toolN.stl (meshes), cells.txt (law voronoi), walls.txt
+(exchanges) and sources.txt (heat sources).
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Loose elements in YADE: its native linear spring with Coulomb friction (Cundall and Strack).
 
-Nothing of the law is solidem's. Radii, masses, moments of inertia and the velocities of the start are
-those of the prepared specimen; stiffness and friction follow from YADE's own `FrictMat`, or from tables of
-pairs of materials where there are tools, which become walls, or one stiffness for all.
+Nothing of the law is solidem's. Radii, masses, moments of inertia and the velocities of the start
+are those of the prepared specimen; stiffness and friction follow from YADE's own `FrictMat`, or from
+tables of pairs of materials where there are tools, which become walls, or one stiffness for all.
 """
 
 from __future__ import annotations

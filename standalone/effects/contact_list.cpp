@@ -28,7 +28,7 @@ std::vector<std::int32_t> reachable(const Model& model) {
     std::iota(found.begin(), found.end(), 0);
     return found;
   }
-  found = surface_elements(model.specimen());
+  found = surface_elements(model.specimen(), model.slots().pairs());
   const std::size_t surface = found.size();
   for (std::size_t i = 0; i < bonds.size(); ++i)
     if (bonds[i] == 0) found.push_back(static_cast<std::int32_t>(i));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "effects/kernels/kernels.hpp"
 #include "model/blocks.hpp"
@@ -78,14 +79,30 @@ bool is_exposed_in_a_gap(const std::vector<Obstacle>& around, double distance) {
   return false;
 }
 
+/// An element of the piece that bonds hold together, the same for all of the piece.
+std::vector<std::size_t> pieces_of(std::size_t elements, const std::vector<Pair>& bonds) {
+  std::vector<std::size_t> piece(elements);
+  std::iota(piece.begin(), piece.end(), std::size_t{0});
+  const auto root = [&](std::size_t element) {
+    while (piece[element] != element) element = piece[element] = piece[piece[element]];
+    return element;
+  };
+  for (const Pair& bond : bonds)
+    piece[root(static_cast<std::size_t>(bond.i))] = root(static_cast<std::size_t>(bond.j));
+  for (std::size_t i = 0; i < elements; ++i) piece[i] = root(i);
+  return piece;
+}
+
 }  // namespace
 
-std::vector<std::int32_t> surface_elements(const Specimen& specimen) {
+std::vector<std::int32_t> surface_elements(const Specimen& specimen,
+                                           const std::vector<Pair>& bonds) {
   if (specimen.size() == 0) return {};
   const double probe = *std::min_element(specimen.radius.begin(), specimen.radius.end());
   const Neighbourhood near = find_neighbours(specimen.domain, specimen.position, specimen.radius, 1,
                                              2 * probe, {}, kernels().pick_near);
   const std::vector<Vector> spread = spread_directions();
+  const std::vector<std::size_t> piece = pieces_of(specimen.size(), bonds);
   std::vector<char> exposed(specimen.size(), 0);
   constexpr std::size_t least = 1000;  // elements: below, a second thread costs more than it saves
   for_blocks(specimen.size(), least, [&](std::size_t first, std::size_t last) {
@@ -93,6 +110,7 @@ std::vector<std::int32_t> surface_elements(const Specimen& specimen) {
       std::vector<Obstacle> around;
       for (std::size_t k = near.first[i]; k < near.first[i + 1]; ++k) {
         const auto j = static_cast<std::size_t>(near.neighbour[k]);
+        if (piece[j] != piece[i]) continue;
         Vector from = specimen.position[j] - specimen.position[i];
         if (!near.image.empty()) from += image_shift(specimen.domain, near.image[k]);
         around.push_back({from, specimen.radius[j] + probe});

@@ -32,11 +32,13 @@ Specimen caged(const Vector& axis, double nearest) {
                                        side * (std::cos(turn) * first + std::sin(turn) * second)));
     }
   specimen.radius.assign(specimen.position.size(), 1);
+  for (std::size_t k = 1; k < specimen.position.size(); ++k)
+    specimen.bonds.push_back({0, static_cast<std::int32_t>(k)});
   return specimen;
 }
 
 bool is_exposed(const Specimen& specimen) {
-  const std::vector<std::int32_t> found = surface_elements(specimen);
+  const std::vector<std::int32_t> found = surface_elements(specimen, specimen.bonds);
   return std::binary_search(found.begin(), found.end(), 0);
 }
 
@@ -49,6 +51,13 @@ TEST(SurfaceElements, AreFoundThroughTheNarrowestGap) {
     EXPECT_TRUE(is_exposed(caged(axis, 60.1)));
     EXPECT_FALSE(is_exposed(caged(axis, 59.9)));
   }
+}
+
+TEST(SurfaceElements, ArePressedByBodiesThatStandNearerThanAnElementIsLarge) {
+  Specimen specimen = caged({0, 0, 1}, 59.9);
+  EXPECT_FALSE(is_exposed(specimen));
+  specimen.bonds.clear();
+  EXPECT_TRUE(is_exposed(specimen));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Loose grains, bonded bodies and tools: what solidem runs, exported and run by LIGGGHTS' own laws."""
+"""Loose grains, bonded bodies and tools: solidem's runs against LIGGGHTS' own laws, exported."""
 
 import csv
 import subprocess
@@ -235,6 +235,26 @@ def test_two_bonded_bodies_meet_alike(liggghts: Liggghts, tmp_path: Path, ranks:
     assert both.difference() < 1e-9
 
 
+CRYSTAL = """[[body]]
+name = "{name}"
+shape = "crystal"
+lattice = "simple_cubic"
+cells = [{cells}]
+element_radius = "0.5 mm"
+origin = [{origin}]
+"""
+CRYSTALS = (CRYSTAL.format(name="low", cells="3, 3, 2", origin='"0 mm", "0 mm", "0 mm"')
+            + CRYSTAL.format(name="ball", cells="2, 2, 2", origin='"0.3 mm", "0.4 mm", "1.87 mm"')
+            + '[material]\ndensity = "2500 kg/m^3"\n')
+
+
+def test_contacts_as_stiff_as_bonds_are_so_in_liggghts(liggghts: Liggghts, tmp_path: Path) -> None:
+    both = Both(liggghts, tmp_path, CRYSTALS + BEAMS + "[contact]\nstiffness_ratio = 0.7\n"
+                + FALLS.format(region='body = "ball"', speed=-20) + RUN.format(steps=600, step=5))
+    assert both.largest("contacts") >= 4
+    assert both.difference() < 1e-9
+
+
 @pytest.mark.parametrize("scene, words", [
     (grains() + FLOOR + "friction = 0.3\n", "tool floor: friction acts at the middle"),
     (grains() + FLOOR + "restitution = 0.3\n", "restitution: dashpots see the velocity"),
@@ -254,7 +274,7 @@ def test_two_bonded_bodies_meet_alike(liggghts: Liggghts, tmp_path: Path, ranks:
      "tool floor: is moved by a force"),
     (grains() + "[damping]\nlocal = 0.1\n", "[damping] local is not supported"),
     (grains() + '[damping]\nviscous = "1e4 1/s"\n', "viscous damping is not understood"),
-])
+], ids=lambda text: "" if "\n" in text else text)
 def test_what_is_not_the_same_is_refused_by_name(tmp_path: Path, scene: str, words: str) -> None:
     done = export(tmp_path, scene + RUN.format(steps=10, step=5))
     assert done.returncode != 0

@@ -97,7 +97,7 @@ def test_grains_rub_along_walls_alike(tmp_path: Path) -> None:
     ("friction = 0.2", "restitution = 0.2", "tool side: restitution: YADE's native law"),
     ('normal_stiffness = "5 kN/mm"', 'young_modulus = "5 GPa"', "elements of one radius"),
     ('"-0.001 mm"', '"0.1 mm"', "tool floor: elements overlap it at the start"),
-])
+], ids=["aslant", "box", "restitution", "two radii", "overlap"])
 def test_what_walls_are_not_is_told(tmp_path: Path, old: str, new: str, words: str) -> None:
     assert old in SCENE
     task = prepare(tmp_path, SCENE.replace(old, new))
