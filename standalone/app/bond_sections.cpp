@@ -37,6 +37,10 @@ std::string fibres_section(const Fibres& fibres) {
       fibres.stiffness_ratio);
 }
 
+std::string unit_of(LawUnit unit) {
+  return unit == LawUnit::temperature ? " K" : " 1/s";
+}
+
 /// Parameters of a law of bonds, but for those without limit.
 template <class AnyLaw>
 std::string parameter_lines(const AnyLaw& any) {
@@ -44,8 +48,11 @@ std::string parameter_lines(const AnyLaw& any) {
   std::visit(
       [&](const auto& law) {
         for (const auto& parameter : law.parameters())
-          if (std::isfinite(law.*parameter.member))
-            text += fmt::format("{} = {:.8g}\n", parameter.name, law.*parameter.member);
+          if (const double value = law.*parameter.member; std::isfinite(value))
+            text += parameter.unit == LawUnit::number
+                        ? fmt::format("{} = {:.8g}\n", parameter.name, value)
+                        : fmt::format("{} = \"{:.8g}{}\"\n", parameter.name, value,
+                                      unit_of(parameter.unit));
       },
       any);
   return text;
@@ -69,13 +76,18 @@ std::string bond_sections(const BondParameters& bonds) {
                       beams.radius_from == BeamParameters::RadiusFrom::pair ? "pair" : "mean");
   if (beams.anisotropy) text += anisotropy_section(beams);
   if (beams.fibres) text += fibres_section(*beams.fibres);
-  if (bonds.plasticity)
-    text += fmt::format("\n[plasticity]\nlaw = \"{}\"\nhardening = \"{}\"\n{}",
-                        name_of(bonds.plasticity->law), name_of(bonds.plasticity->hardening),
-                        parameter_lines(bonds.plasticity->hardening));
+  if (bonds.plasticity) {
+    const PlasticityParameters& plasticity = *bonds.plasticity;
+    text += fmt::format("\n[plasticity]\nlaw = \"{}\"\nsection = \"{}\"\nhardening = \"{}\"\n{}",
+                        name_of(plasticity.law), name_of(plasticity.section),
+                        name_of(plasticity.hardening), parameter_lines(plasticity.hardening));
+    if (plasticity.rate_time)
+      text += fmt::format("rate_time = \"{:.8g} s\"\n", *plasticity.rate_time);
+  }
   if (bonds.rupture) {
-    text += fmt::format("\n[rupture]\nlaw = \"{}\"\n{}", name_of(bonds.rupture->law),
-                        parameter_lines(bonds.rupture->law));
+    text +=
+        fmt::format("\n[rupture]\nlaw = \"{}\"\nsection = \"{}\"\n{}", name_of(bonds.rupture->law),
+                    name_of(bonds.rupture->section), parameter_lines(bonds.rupture->law));
     if (bonds.rupture->minimal_bonds > 0)
       text += fmt::format("minimal_bonds = {}\n", bonds.rupture->minimal_bonds);
   }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bond_sections.hpp"
+#include "app/calibrate_curve.hpp"
 #include "app/calibrate_orthotropic.hpp"
 #include "app/commands.hpp"
 #include "app/notes.hpp"
@@ -21,6 +22,7 @@
 #include "output/results_folder.hpp"
 #include "output/summary.hpp"
 #include "scene/body.hpp"
+#include "solve/calibration/hardening_search.hpp"
 #include "specimen/pieces.hpp"
 #include "specimen/report.hpp"
 
@@ -57,7 +59,7 @@ std::string text_of(const std::vector<BodyFigures>& figures) {
   return text;
 }
 
-std::string text_of(const CalibrationTrial& trial) {
+std::string text_of(const CalibrationTrial& trial, const CalibrationTargets& targets) {
   const BondParameters& bonds = trial.bonds;
   std::string text;
   if (!trial.is_dynamic) {
@@ -66,13 +68,17 @@ std::string text_of(const CalibrationTrial& trial) {
       text += fmt::format(" poisson_ratio {:.4g}", poisson_ratio_of(bonds.beams));
   } else {
     text = "pulled ";
-    if (const LinearHardening* hardening = linear_hardening(bonds))
-      text += fmt::format(" yield_strain {:.4g} hardening_ratio {:.4g}", hardening->yield_strain,
-                          hardening->hardening_ratio);
+    if (bonds.plasticity)
+      for (const HardeningParameter& parameter : hardening_parameters(bonds.plasticity->hardening))
+        text += fmt::format(" {} {:.4g}", parameter.name, parameter.value);
     if (const std::optional<double> strain = rupture_strain(bonds))
       text += fmt::format(" rupture {:.4g}", *strain);
   }
-  return fmt::format("{:<68}:{}  ({:.2g} s)", text, text_of(trial.figures), trial.seconds);
+  const bool is_of_curve = trial.is_dynamic && targets.curve;
+  return fmt::format(
+      "{:<68}:{}  ({:.2g} s)", text,
+      is_of_curve ? text_of_curve(*targets.curve, trial.figures) : text_of(trial.figures),
+      trial.seconds);
 }
 
 Json json_of(const std::optional<double>& value) {
@@ -83,10 +89,9 @@ Json json_of(const BondParameters& bonds) {
   Json json = {{"young_modulus", bonds.beams.young_modulus},
                {"shear_modulus", bonds.beams.shear_modulus},
                {"radius_ratio", bonds.beams.radius_ratio}};
-  if (const LinearHardening* hardening = linear_hardening(bonds)) {
-    json["yield_strain"] = hardening->yield_strain;
-    json["hardening_ratio"] = hardening->hardening_ratio;
-  }
+  if (bonds.plasticity)
+    for (const HardeningParameter& parameter : hardening_parameters(bonds.plasticity->hardening))
+      json[parameter.name] = parameter.value;
   if (bonds.rupture) json["rupture_strain"] = json_of(rupture_strain(bonds));
   return json;
 }
@@ -113,6 +118,7 @@ Json json_of(const CalibrationTargets& targets) {
                {"peak_stress", json_of(targets.peak_stress)},
                {"rupture_strain", nullptr}};
   if (targets.rupture_strain) json["rupture_strain"] = *targets.rupture_strain;
+  if (targets.curve) json["curve_tolerance"] = targets.curve->tolerance;
   return json;
 }
 
@@ -136,25 +142,30 @@ Json uncertainty_of(const Calibration& found) {
   return json;
 }
 
-Json json_of(const Calibration& found) {
-  const bool with_tension = found.trials.back().is_dynamic;
+Json json_of(const Calibration& found, const CalibrationTargets& targets) {
+  const bool with_tension = found.trials.back().is_dynamic && !targets.curve;
   Json mean = Json::object(), deviation = Json::object(), trials = Json::array();
   for (const auto& [key, spread] : spreads(found.figures)) {
     mean[key] = spread.mean;
     deviation[key] = spread.deviation;
   }
-  for (const CalibrationTrial& trial : found.trials)
+  for (const CalibrationTrial& trial : found.trials) {
     trials.push_back({{"test", trial.is_dynamic ? "tension" : "static"},
                       {"parameters", json_of(trial.bonds)},
-                      {"figures", json_of(trial.figures, trial.is_dynamic)},
+                      {"figures", json_of(trial.figures, trial.is_dynamic && !targets.curve)},
                       {"wall_seconds", trial.seconds}});
-  return {{"parameters", json_of(found.bonds)},
-          {"uncertainty", uncertainty_of(found)},
-          {"figures", json_of(found.figures, with_tension)},
-          {"mean", mean},
-          {"deviation", deviation},
-          {"misses", found.misses},
-          {"trials", trials}};
+    if (targets.curve && trial.is_dynamic)
+      trials.back()["curve"] = curve_json(*targets.curve, trial.figures);
+  }
+  Json json = {{"parameters", json_of(found.bonds)},
+               {"uncertainty", uncertainty_of(found)},
+               {"figures", json_of(found.figures, with_tension)},
+               {"mean", mean},
+               {"deviation", deviation},
+               {"misses", found.misses}};
+  if (targets.curve) json["curve"] = curve_json(*targets.curve, found.figures);
+  json["trials"] = trials;
+  return json;
 }
 
 std::vector<Specimen> make_specimens(const Scene& scene, int count) {
@@ -172,9 +183,10 @@ std::vector<Specimen> make_specimens(const Scene& scene, int count) {
   return specimens;
 }
 
-void print_result(const Calibration& found, const std::string& file, const std::string& title,
-                  const Voice& tell) {
+void print_result(const Calibration& found, const CalibrationTargets& targets,
+                  const std::string& file, const std::string& title, const Voice& tell) {
   tell("\n{}:{}\n", title, text_of(found.figures));
+  if (targets.curve) print_curve(*targets.curve, found.figures, tell);
   const Json uncertainty = uncertainty_of(found);
   if (!uncertainty.empty()) {
     tell("from specimen to specimen the parameters differ by");
@@ -225,9 +237,9 @@ int calibrate_scene(const CalibrateCommand& command) {
   std::vector<Calibration> found(request.one_set ? 1 : specimens.size());
   std::mutex printing;
   const auto teller = [&](const std::string& prefix) {
-    return [&printing, &tell, prefix](const CalibrationTrial& trial) {
+    return [&printing, &tell, &request, prefix](const CalibrationTrial& trial) {
       const std::lock_guard<std::mutex> lock(printing);
-      tell("{}{}\n", prefix, text_of(trial));
+      tell("{}{}\n", prefix, text_of(trial, request.targets));
       std::fflush(stdout);
     };
   };
@@ -247,8 +259,8 @@ int calibrate_scene(const CalibrateCommand& command) {
         directory + "/calibrated" +
         (request.one_set ? std::string() : fmt::format("_{}", scene.specimen.seed + k)) + ".toml";
     replace_text_file(file, bond_sections(found[k].bonds));
-    print_result(found[k], file, request.one_set ? "found" : name(k), tell);
-    results.push_back(json_of(found[k]));
+    print_result(found[k], request.targets, file, request.one_set ? "found" : name(k), tell);
+    results.push_back(json_of(found[k], request.targets));
     for (const std::string& miss : found[k].misses) misses += "\n  " + miss;
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

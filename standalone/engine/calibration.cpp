@@ -15,6 +15,7 @@
 #include <Eigen/LU>
 
 #include "effects/beam_parameters.hpp"
+#include "engine/curve_calibration.hpp"
 #include "engine/tension_bench.hpp"
 #include "model/error.hpp"
 #include "specimen/bonds.hpp"
@@ -94,7 +95,11 @@ class Search {
 
   Calibration run() {
     find_elasticity();
-    if (!request_.targets.is_elastic()) find_plasticity();
+    if (request_.targets.curve)
+      find_curve(request_, curve_test(tension_test(), *request_.targets.curve), bench_, found_,
+                 [this](CalibrationTrial trial) { note(std::move(trial)); });
+    else if (!request_.targets.is_elastic())
+      find_plasticity();
     return std::move(found_);
   }
 
@@ -282,8 +287,8 @@ class Search {
     Calibration best = found_;
     for (int round = 0; round < request_.tension_tests; ++round) {
       const auto start = Clock::now();
-      const std::vector<TensionFigures> tension = bench_.tension(found_.bonds, elastic, test);
-      for (std::size_t k = 0; k < tension.size(); ++k) found_.figures[k].tension = tension[k];
+      const std::vector<TensionCurve> curves = bench_.tension(found_.bonds, elastic, test);
+      for (std::size_t k = 0; k < curves.size(); ++k) found_.figures[k].tension = curves[k].figures;
       note({true, found_.bonds, found_.figures, 0}, start);
       const double worst = worst_miss();
       if (round == 0 || worst < least) {
@@ -432,6 +437,10 @@ class Search {
 
   void note(CalibrationTrial trial, Clock::time_point start) {
     trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    note(std::move(trial));
+  }
+
+  void note(CalibrationTrial trial) {
     if (tell_) tell_(trial);
     found_.trials.push_back(std::move(trial));
   }
@@ -478,6 +487,18 @@ std::vector<std::pair<std::string, Spread>> spreads(const std::vector<BodyFigure
     if (const Spread of_all = spread(values[k]); of_all.count > 0)
       result.emplace_back(names[k], of_all);
   return result;
+}
+
+std::vector<Spread> curve_spreads(const std::vector<BodyFigures>& figures) {
+  std::vector<Spread> spreads;
+  for (std::size_t k = 0; k < figures.front().stresses.size(); ++k) {
+    std::vector<std::optional<double>> values;
+    for (const BodyFigures& body : figures)
+      values.push_back(std::isnan(body.stresses[k]) ? std::nullopt
+                                                    : std::optional<double>(body.stresses[k]));
+    spreads.push_back(spread(values));
+  }
+  return spreads;
 }
 
 Calibration calibrate(const CalibrationRequest& request, const BondParameters& start,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/tension_test.hpp"
+#include "solve/calibration/flow_curve.hpp"
 #include "solve/calibration/root_search.hpp"
 
 namespace solidem {
@@ -23,7 +24,9 @@ struct CalibrationTargets {
   std::optional<double> peak_stress;                    ///< Pa
   std::optional<std::array<double, 2>> rupture_strain;  ///< lowest and highest that will do
 
-  bool is_elastic() const { return !yield_stress && !peak_stress && !rupture_strain; }
+  std::optional<CurveTarget> curve{};  ///< in place of the three before
+
+  bool is_elastic() const { return !yield_stress && !peak_stress && !rupture_strain && !curve; }
 };
 
 /// How near is near enough.
@@ -58,6 +61,7 @@ struct CalibrationRequest {
 struct BodyFigures {
   ElasticConstants elastic;
   TensionFigures tension;
+  std::vector<double> stresses{};  ///< true ones at the points of the curve, Pa; NaN: not reached
 };
 
 /// One set of parameters that was tried.
@@ -86,6 +90,9 @@ Spread spread(const std::vector<std::optional<double>>& values);
 /// The figures of all specimens by name, in SI: "young_modulus", "poisson_ratio", "yield_stress",
 /// "peak_stress", "rupture_strain"; left out where there are none.
 std::vector<std::pair<std::string, Spread>> spreads(const std::vector<BodyFigures>& figures);
+
+/// Their stresses at each point of the curve.
+std::vector<Spread> curve_spreads(const std::vector<BodyFigures>& figures);
 
 /// Finds the parameters. `start`: what is fixed and where the search begins. `gauge`: of the
 /// tension test; none: the middle 40 % of the longest side. `tell` hears of each trial at once.

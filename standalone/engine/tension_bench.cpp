@@ -24,17 +24,17 @@ std::vector<ElasticConstants> TensionBench::elasticity(const BeamParameters& bea
   return constants;
 }
 
-std::vector<TensionFigures> TensionBench::tension(const BondParameters& bonds,
-                                                  const std::vector<ElasticConstants>& elastic,
-                                                  const TensionTest& test) const {
-  std::vector<TensionFigures> figures(size());
+std::vector<TensionCurve> TensionBench::tension(const BondParameters& bonds,
+                                                const std::vector<ElasticConstants>& elastic,
+                                                const TensionTest& test) const {
+  std::vector<TensionCurve> curves(size());
   for_each_at_once(size(), [&](std::size_t k) {
     TensionTest own = test;
     own.bar = bars_[k];
     own.elastic = elastic[k];
-    figures[k] = pull(bonds, specimens_[k], own).figures;
+    curves[k] = pull(bonds, specimens_[k], own);
   });
-  return figures;
+  return curves;
 }
 
 }  // namespace solidem

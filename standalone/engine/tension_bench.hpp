@@ -25,9 +25,9 @@ class TensionBench {
   std::vector<ElasticConstants> elasticity(const BeamParameters& beams);
 
   /// The dynamic test of every specimen; `test` holds all that is the same for each.
-  std::vector<TensionFigures> tension(const BondParameters& bonds,
-                                      const std::vector<ElasticConstants>& elastic,
-                                      const TensionTest& test) const;
+  std::vector<TensionCurve> tension(const BondParameters& bonds,
+                                    const std::vector<ElasticConstants>& elastic,
+                                    const TensionTest& test) const;
 
   std::size_t size() const { return specimens_.size(); }
   const Specimen& first() const { return specimens_.front(); }

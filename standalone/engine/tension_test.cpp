@@ -114,7 +114,9 @@ TensionCurve pull(const BondParameters& bonds, const Specimen& specimen, const T
     peak = std::max(peak, point.stress);
     const bool is_broken = peak > 0 && simulation.step() > 0 && point.elongation > lasting_strain &&
                            point.stress < fraction_left_at_rupture * peak;
-    if (is_broken || point.elongation >= test.longest_elongation) break;
+    if (is_broken || point.elongation >= test.longest_elongation ||
+        point.strain >= test.longest_strain)
+      break;
     const double interval = point.elongation < test.fine_elongation ? 1e-4 : 1e-3;
     simulation.advance(std::max<std::int64_t>(1, std::llround(interval / elongation_per_step)));
   }

@@ -2,6 +2,7 @@
 #ifndef SOLIDEM_ENGINE_TENSION_TEST_HPP
 #define SOLIDEM_ENGINE_TENSION_TEST_HPP
 
+#include <cmath>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -41,6 +42,7 @@ struct TensionTest {
   double time_step_ratio = 0.5;
   double fine_elongation = 0;     ///< up to which the curve has a point every 1e-4, then every 1e-3
   double longest_elongation = 0;  ///< at which the test ends, if the bar has not broken before
+  double longest_strain = HUGE_VAL;  ///< of the gauge section, at which it ends as well
 };
 
 /// One instant of a test.

@@ -51,9 +51,12 @@ Rule tolerances(CalibrationTolerances& tolerances) {
 void check(const Section& section, const CalibrationTargets& targets) {
   if (targets.yield_stress && targets.peak_stress && *targets.peak_stress <= *targets.yield_stress)
     section.refuse("peak_stress", "not above yield_stress", "peak_stress > yield_stress");
+  for (const char* figure : {"yield_stress", "peak_stress", "rupture_strain"})
+    if (targets.curve && section.has(figure))
+      section.refuse(figure, "the whole curve is given", "either this or a curve");
   if (section.has("speed") && targets.is_elastic())
     section.refuse("speed", "no bar is pulled for an elastic calibration",
-                   "yield_stress, peak_stress or rupture_strain beside it");
+                   "yield_stress, peak_stress, rupture_strain or a curve beside it");
 }
 
 }  // namespace
@@ -77,6 +80,7 @@ Rule calibration_section(std::optional<CalibrationRequest>& calibration,
          may_have("yield_stress", quantity(targets.yield_stress, dimension::modulus, positive)),
          may_have("peak_stress", quantity(targets.peak_stress, dimension::modulus, positive)),
          may_have("rupture_strain", rupture_target(targets.rupture_strain)),
+         may_have("curve", curve_section(targets.curve, targets.young_modulus)),
          may_have("specimens", integer(request.specimens, 1, 1000)),
          may_have("fit", choice<bool>(request.one_set, {{"mean", true}, {"each", false}})),
          may_have("poisson_by",

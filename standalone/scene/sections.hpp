@@ -47,6 +47,9 @@ Rule calibration_section(std::optional<CalibrationRequest>& calibration,
                          std::optional<OrthotropicRequest>& orthotropic,
                          const std::optional<BeamParameters>& beams);
 
+// read_curve.cpp: [calibration.curve]
+Rule curve_section(std::optional<CurveTarget>& target, const double& young_modulus);
+
 // read_orthotropic_calibration.cpp: [calibration] of beams that have a grain
 bool asks_for_orthotropic_calibration(const Section& section);
 OrthotropicRequest read_orthotropic_calibration(const Section& section,

@@ -205,3 +205,143 @@ def test_a_scene_without_a_run_is_told_so_by_run(solidem):
     done = solidem("run", solidem.scene("bar.toml", GOOD), "-o", "out")
     assert done.returncode == 2
     assert "[run]" in done.stderr
+
+
+#: A bar that starts in steady stretching and is pulled as a calibration pulls it.
+STRETCHED = """\
+[[grips]]
+name = "low"
+region = { axis = "x", side = "low", layers = 1 }
+velocity = ["0 m/s", "free", "free"]
+rotation = "free"
+[[grips]]
+name = "high"
+region = { axis = "x", side = "high", layers = 1 }
+velocity = ["5 m/s", "free", "free"]
+rotation = "free"
+[[initial_velocities]]
+region = { all = true }
+velocity = ["2.5 m/s", "0 m/s", "0 m/s"]
+stretching = ["1100 1/s", "-350 1/s", "-350 1/s"]
+[gauge]
+axis = "x"
+lower = "1.5 mm"
+upper = "3.5 mm"
+[run]
+duration = "30 us"
+observe_every = 10
+"""
+COPPER = """\
+[plasticity]
+hardening = "johnson-cook"
+yield_strain = 2e-4
+hardening_strain = 1e-3
+hardening_exponent = 0.2
+"""
+
+
+def test_the_curve_of_a_pulled_bar_gives_back_the_hardening_of_its_bonds(solidem):
+    beams = {"young_modulus": 3e12, "radius_ratio": 0.27}
+    done = solidem("run", solidem.scene("pull.toml", BODY + BEAMS.format(**beams) + COPPER
+                                        + STRETCHED), "-o", "pull")
+    assert done.returncode == 0, done.stderr
+    with open(solidem.folder / "pull" / "history.csv", newline="") as file:
+        rows = [(float(row["gauge.strain"]), float(row["gauge.stress"]))
+                for row in csv.DictReader(file)]
+    lines = "".join(f"{strain:.8g}, {stress / 1e6:.8g}\n" for strain, stress in rows)
+    (solidem.folder / "curve.csv").write_text("strain, stress\n" + lines)
+    targets = ('young_modulus = "MODULUS Pa"\nspecimens = 1\n[calibration.curve]\n'
+               'file = "curve.csv"\nmeasure = "engineering"\nstress_unit = "1 MPa"\n'
+               'strains = [0.004, 0.008, 0.015, 0.025]\ntolerance = 0.005\n')
+    elastic = solidem("calibrate", solidem.scene("elastic.toml", scene(
+        beams, 'young_modulus = "1 GPa"\nspecimens = 1\n')), "-o", "elastic")
+    assert elastic.returncode == 0, elastic.stderr
+    trial = results(solidem.folder / "elastic")[0]["trials"][0]
+    targets = targets.replace("MODULUS", str(trial["figures"][0]["young_modulus"]))
+
+    carried = ('rate_sensitivity = 0.025\nsoftening_exponent = 1.09\n'
+               'reference_temperature = "298 K"\nmelting_temperature = "1356 K"\n'
+               'rate_time = "1 us"\nsection = "middle"\n')
+    other = (COPPER.replace("2e-4", "1e-2").replace("1e-3", "5e-2").replace("0.2", "0.7") + carried)
+    text = scene(beams, targets).replace("[calibration]", other + "[calibration]")
+    done = solidem("calibrate", solidem.scene("find.toml", text), "-o", "found")
+    assert done.returncode == 0, done.stderr
+    found = results(solidem.folder / "found")[0]
+    assert [point["strain"] for point in found["curve"]] == pytest.approx(
+        np.log1p([0.004, 0.008, 0.015, 0.025]))
+    assert all(abs(point["miss"]) <= 0.005 for point in found["curve"])
+    law = found["parameters"]
+    bonds = [law["yield_strain"] + law["hardening_strain"] * flow ** law["hardening_exponent"]
+             for flow in (0.002, 0.008, 0.02)]
+    known = [2e-4 + 1e-3 * flow ** 0.2 for flow in (0.002, 0.008, 0.02)]
+    assert bonds == pytest.approx(known, rel=0.02), "the curve of the bonds"
+    written = (solidem.folder / "found" / "calibrated.toml").read_text()
+    for line in carried.replace('"1 us"', '"1e-06 s"').splitlines():
+        assert line in written, "what rate and temperature do is carried over"
+    again = solidem.scene("again.toml", BODY.replace("[material]", "[material]\n"
+                          'specific_heat_capacity = "385 J/(kg K)"\nconductivity = "390 W/(m K)"')
+                          + written + '[conduction]\ninitial_temperature = "298 K"\n'
+                          + STRETCHED)
+    assert solidem("explain", again).returncode == 0
+
+
+def test_the_example_of_a_curve_is_what_the_page_says(solidem):
+    root = Path(__file__).resolve().parents[2] / "docs"
+    done = solidem("calibrate", root / "examples" / "calibration_curve.toml", "-o", "copper")
+    assert done.returncode == 0, done.stderr
+    shown = results(solidem.folder / "copper")[0]["curve"]
+    rows = re.findall(r"^\| (0\.\d+) \| ([\d.]+) \| ([\d.]+) \| ([−+][\d.]+) % \|$",
+                      (root / "calibration.md").read_text(), re.MULTILINE)
+    assert len(rows) == len(shown) == 4
+    for point, (strain, wanted, reached, miss) in zip(shown, rows):
+        assert point["strain"] == float(strain)
+        flow = point["strain"] - point["wanted"] / 124e9
+        assert point["wanted"] == pytest.approx(90e6 + 292e6 * flow**0.31, rel=1e-9)
+        assert point["wanted"] / 1e6 == pytest.approx(float(wanted), abs=0.06)
+        assert abs(point["miss"]) <= 0.02
+        assert point["reached"] / 1e6 == pytest.approx(float(reached), rel=0.005)
+        assert 100 * point["miss"] == pytest.approx(float(miss.replace("−", "-")), abs=0.5)
+
+
+def test_a_curve_that_bonds_cannot_give_ends_with_what_they_gave(solidem):
+    beams = {"young_modulus": 3e12, "radius_ratio": 0.27}
+    (solidem.folder / "curve.txt").write_text("0.005 200e6\n0.0051 300e6\n0.006 300e6\n")
+    targets = ('young_modulus = "73 GPa"\nspecimens = 1\ntension_tests = 2\n'
+               '[calibration.curve]\nfile = "curve.txt"\nmeasure = "true"\n')
+    done = solidem("calibrate", solidem.scene("bar.toml", scene(beams, targets)), "-o", "out")
+    assert done.returncode == 1, done.stderr
+    for words in ("200 MPa at a strain of 0.005", "the nearest gave", "section = \"ends\""):
+        assert words in done.stderr
+    assert (solidem.folder / "out" / "calibrated.toml").exists()
+
+
+CURVE = '[calibration.curve]\nfile = "curve.csv"\nmeasure = "true"\n'
+#: (lines of the file, what [calibration] ends with, words that the message must hold)
+BAD_CURVES = {
+    "softens": ("0.01 300e6\n0.02 290e6\n0.03 310e6\n", CURVE,
+                ["falls", "290 MPa at a strain of 0.02", "never falls"]),
+    "below yield": ("0.001 73e6\n0.02 290e6\n0.03 310e6\n", CURVE + "strains = [0.001, 0.02, 0.03]\n",
+                    ["73 MPa at a strain of 0.001", "not in the flow"]),
+    "only elastic": ("0 0\n0.001 73e6\n0.002 146e6\n0.02 200e6\n", CURVE, ["has 1 points", "3"]),
+    "backwards": ("0.01 200e6\n0.03 290e6\n0.02 300e6\n", CURVE, ["curve.csv:3", "above the one"]),
+    "three columns": ("0.01 200e6 7\n", CURVE, ["curve.csv:1", "two numbers"]),
+    "per cent": ("1 200e6\n2 290e6\n3 310e6\n", CURVE, ["curve.csv:2", "share"]),
+    "outside": ("0.01 200e6\n0.02 290e6\n0.03 310e6\n", CURVE + "strains = [0.01, 0.02, 0.5]\n",
+                ["0.5 lies outside"]),
+    "no measure": ("0.01 200e6\n", CURVE.replace('measure = "true"\n', ""), ["curve.measure is missing"]),
+    "no law": ("", '[calibration.curve]\nyield_stress = "90 MPa"\n', ["hardening_stress"]),
+    "both": ("0.01 200e6\n", CURVE + 'yield_stress = "90 MPa"\n', ["yield_stress", "no such key"]),
+    "with a figure": ("0.01 200e6\n0.02 290e6\n0.03 310e6\n", 'peak_stress = "400 MPa"\n' + CURVE,
+                      ["peak_stress", "either this or a curve"]),
+}
+
+
+@pytest.mark.parametrize("name", BAD_CURVES)
+def test_a_curve_that_makes_no_sense_is_refused(solidem, name):
+    lines, targets, words = BAD_CURVES[name]
+    (solidem.folder / "curve.csv").write_text(lines)
+    text = GOOD + targets
+    done = solidem("calibrate", solidem.scene("bar.toml", text), "-o", "out")
+    assert done.returncode == 2, done.stdout + done.stderr
+    for word in words:
+        assert word in done.stderr

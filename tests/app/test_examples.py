@@ -24,7 +24,7 @@ EXAMPLES = ROOT / "docs" / "examples"
 SLOW = {"bimetal", "central_forces", "conduction", "fibre", "falling_block", "fibre_pull_out",
         "moving_source", "rupture", "shot_plate", "threaded_pin", "three_rollers", "two_materials"}
 #: Told elsewhere: docs/calibration.md.
-ELSEWHERE = {"calibration", "calibration_5000"}
+ELSEWHERE = {"calibration", "calibration_5000", "calibration_curve"}
 
 
 @dataclass(frozen=True)

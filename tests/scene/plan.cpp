@@ -101,6 +101,7 @@ const std::map<std::string, Expected> expected = {
     {"compare/scenes/wedge.toml", {hot_and_cold, {"conduct"}, heat}},
     {"docs/examples/calibration.toml", {{"beams"}, {"move_beams"}, motion}},
     {"docs/examples/calibration_5000.toml", {{"beams"}, {"move_beams"}, motion}},
+    {"docs/examples/calibration_curve.toml", {{"beams"}, {"move_beams"}, motion}},
     {"docs/examples/central_forces.toml",
      {united(pulled_apart, {"damage"}),
       {"find_crack_faces", "move_by_central_forces, piecewise, dissipation, cracks"},

@@ -95,6 +95,10 @@ BY_HAND = {
     "[run]": BODY + RUN + "nonsense = 1\n",
     "[output]": BODY + RUN + "[output]\nnonsense = 1\n",
     "[calibration]": BODY + RUN + '[calibration]\nyoung_modulus = "70 GPa"\nnonsense = 1\n',
+    "[calibration.curve]": (BODY + RUN + '[calibration]\nyoung_modulus = "70 GPa"\n'
+                            '[calibration.curve]\nyield_stress = "9 MPa"\nnonsense = 1\n'),
+    "[calibration.curve] of a table": (BODY + RUN + '[calibration]\nyoung_modulus = "70 GPa"\n'
+                                       '[calibration.curve]\nfile = "curve.csv"\nnonsense = 1\n'),
 }
 
 
@@ -130,7 +134,7 @@ def test_every_key_that_the_reader_knows_is_on_the_page(section: str, tmp_path: 
     found = re.search(r"nonsense = 1: no such key.*expected one of (.*)", refused.stderr)
     assert found, refused.stderr
     page = (DOCS / "scene.md").read_text()
-    heading = page.index(f"## `{section}`")
+    heading = page.index(f"## `{section.split(' of ')[0]}`")
     part = page[heading:page.find("\n### ", heading + 1)]
     if section == "[[body]]":  # has those of [specimen], too
         part += page[page.index("### `[specimen]`"):heading]
