@@ -30,6 +30,7 @@ class EnergyGuard {
   /// Notes that so much, J, was put in: what is taken out again may still move elsewhere.
   void note(double put_in);
 
+  double round_off() const { return round_off_; }
   double largest() const { return largest_; }
   void restore(double largest) { largest_ = largest; }
 

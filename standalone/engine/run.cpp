@@ -19,6 +19,7 @@
 #include "effects/conduction_parameters.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/body_figures.hpp"
+#include "engine/energy_gained.hpp"
 #include "engine/heat.hpp"
 #include "engine/interrupt_watch.hpp"
 #include "model/error.hpp"
@@ -172,6 +173,8 @@ class Recorder {
       summarise(false, error.what());
       throw;
     }
+    if (const auto gained = note_on_gained_energy(last_row_, simulation_.round_off_energy()))
+      note(*gained);
     const bool completed = simulation_.step() >= last;
     summarise(completed, completed ? "" : "interrupted");
     return {completed, last_row_, peak_row_};

@@ -63,6 +63,9 @@ class Simulation {
   /// The same, with what was seen.
   HistoryRow observe(Observation& observation) const;
 
+  /// Energy of no account, J.
+  double round_off_energy() const { return guard_.round_off(); }
+
   std::int64_t step() const { return step_; }
   double time() const { return time_; }
   const TimeStepChoice& time_step() const { return time_step_; }

@@ -2,22 +2,28 @@
 """Faults, one at a time: calls to the file system that fail or at which the program is killed, and
 files with a bit that is wrong or an end that is missing. What must hold after each is in docs/reliability.md.
 
-    /usr/bin/python3 tests/reliability/campaign.py     every call and every eighth byte: the counts of
-                                                       docs/reliability.md, in about a quarter of an hour
+    /usr/bin/python3 tests/reliability/campaign.py             all of it, half an hour to an hour
+    /usr/bin/python3 tests/reliability/campaign.py "kill, run" damage     what begins so
+
+Most of a case is the program's start. Cases run side by side; TMPDIR in memory (/dev/shm) spares the disk.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections import Counter
 from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import h5py
@@ -124,6 +130,15 @@ def results_of(folder: Path) -> dict[str, object]:
             if path.is_file() and path.suffix not in (".partial", ".aside", ".toml")}
 
 
+def digest_of(folder: Path) -> str:
+    """Of all names and bytes: of two folders that are alike, one need be looked at."""
+    digest = hashlib.sha256()
+    for path in sorted(folder.rglob("*")):
+        content = path.read_bytes() if path.is_file() else b""
+        digest.update(f"{path.relative_to(folder)} {len(content)} ".encode() + content)
+    return digest.hexdigest()
+
+
 @dataclass(frozen=True)
 class Command:
     """A command under test: its words, what it starts from, and the folder or file that it writes."""
@@ -165,38 +180,49 @@ SOLVE = SCENE.replace('velocity = ["50 m/s", "free", "free"]',
 
 
 class Faults:
-    """A command with a fault at each of its calls, in folders of its own."""
+    """A command with a fault of one kind at each of its calls, in folders of its own."""
 
-    def __init__(self, command: Command, folder: Path, shim: Path) -> None:
-        self.command, self.folder, self.shim = command, folder, shim
+    def __init__(self, command: Command, how: str, folder: Path, shim: Path) -> None:
+        self.command, self.how, self.folder, self.shim = command, how, folder, shim
         self.start = folder / "start"
         self.start.mkdir(parents=True)
         (self.start / "scene.toml").write_text(SCENE)
         (self.start / "solve.toml").write_text(SOLVE)
         command.before(self.start)
-        good = self.call_faulty("good", 0, "fail")
+        good = self.call_faulty("good", 0)
         assert good.status == 0, good.error
         self.calls = good.calls
+        self.sound: set[str] = set()  #: what killed programs left that was found to be in order
         self.expected = results_of(folder / "good")
 
-    def call_faulty(self, name: str, at: int, how: str) -> Outcome:
+    def call_faulty(self, name: str, at: int) -> Outcome:
         place = self.folder / name
         shutil.rmtree(place, ignore_errors=True)
         shutil.copytree(self.start, place)
         return call(place, *self.command.words, LD_PRELOAD=str(self.shim),
-                    FAULTY_IO_FOLDER=str(place), FAULTY_IO_AT=str(at), FAULTY_IO_HOW=how)
+                    FAULTY_IO_FOLDER=str(place), FAULTY_IO_AT=str(at), FAULTY_IO_HOW=self.how)
 
-    def check(self, at: int, how: str) -> str:
+    def check(self, at: int) -> str:
         """Puts a fault at a call; "told", "harmless" or "killed". AssertionError: what went wrong."""
-        name = f"{how}-{at}"
-        done = self.call_faulty(name, at, how)
+        how, name = self.how, f"{self.how}-{at}"
+        done = self.call_faulty(name, at)
         place = self.folder / name
         where = f"{self.command.name}: {how} at call {at} of {self.calls}: status {done.status}, {done.error}"
         assert done.status in ((0, 1, 2) if how == "fail" else (0, -9)), where
+        left = digest_of(place)
+        if done.status != -9 or left not in self.sound:
+            self.check_what_was_left(place, done, where)
+        if done.status == -9:
+            self.sound.add(left)
+        shutil.rmtree(place)
+        return "killed" if done.status == -9 else "harmless" if done.status == 0 else "told"
+
+    def check_what_was_left(self, place: Path, done: Outcome, where: str) -> None:
+        """Files are whole, words are right, and there is a way on."""
         found = results_of(place)  # fails where a file is partial
         if done.status == 0:
             assert not self.others(found), f"{where}: another {self.others(found)}"
-        elif how == "fail":
+        elif self.how == "fail":
             assert done.error.startswith("error: ") and self.names_a_file(done.error), where
         if self.command.whole:
             for file, content in found.items():
@@ -204,8 +230,6 @@ class Faults:
                 assert earlier or content == self.expected[file], f"{where}: {file}"
         if done.status != 0:
             self.check_the_way_on(place, where)
-        shutil.rmtree(place)
-        return "killed" if done.status == -9 else "harmless" if done.status == 0 else "told"
 
     def others(self, found: dict[str, object]) -> list[str]:
         """Names of what is not as expected."""
@@ -238,18 +262,25 @@ def sampled(count: int, most: int | None) -> Iterable[int]:
     return sorted({round(1 + k * (count - 1) / (most - 1)) for k in range(most)})
 
 
-def faulty_calls(command: Command, how: str, folder: Path, shim: Path,
-                 most: int | None = None) -> Counter[str]:
-    faults = Faults(command, folder, shim)
+def tally(cases: Iterable[Callable[[], str]], jobs: int) -> Counter[str]:
+    """How many cases ended how, so many at a time. AssertionError: each that went wrong."""
     found: Counter[str] = Counter()
     wrong: list[str] = []
-    for at in sampled(faults.calls, most):
-        try:
-            found[faults.check(at, how)] += 1
-        except AssertionError as error:
-            wrong.append(str(error))
+    with ThreadPoolExecutor(jobs) as threads:
+        for case in [threads.submit(case) for case in cases]:
+            try:
+                found[case.result()] += 1
+            except Exception as error:  # what a file that is partial raises is h5py's own
+                wrong.append(str(error) or repr(error))
     assert not wrong, f"{len(wrong)} of {sum(found.values()) + len(wrong)}\n" + "\n".join(wrong)
     return found
+
+
+def faulty_calls(command: Command, how: str, folder: Path, shim: Path,
+                 most: int | None = None, jobs: int = 1) -> Counter[str]:
+    """A fault at every call of a command, or at so many."""
+    faults = Faults(command, how, folder, shim)
+    return tally((partial(faults.check, at) for at in sampled(faults.calls, most)), jobs)
 
 
 # Damage.
@@ -301,7 +332,7 @@ DAMAGES = (
 )
 
 
-def damaged_files(damage: Damage, folder: Path, most: int) -> Counter[str]:
+def damaged_files(damage: Damage, folder: Path, most: int, jobs: int = 1) -> Counter[str]:
     """Damages a file so many times; "refused" or "accepted"."""
     start = folder / "start"
     start.mkdir(parents=True)
@@ -311,11 +342,9 @@ def damaged_files(damage: Damage, folder: Path, most: int) -> Counter[str]:
     shutil.copytree(start, good)
     assert call(good, *damage.words).status == 0
     expected = results_of(good)
-    whole = (start / damage.file).read_bytes()
-    found: Counter[str] = Counter()
-    for number, content in enumerate(damages(whole, most)):
-        place = folder / "place"
-        shutil.rmtree(place, ignore_errors=True)
+
+    def check(number: int, content: bytes) -> str:
+        place = folder / str(number)
         shutil.copytree(start, place)
         (place / damage.file).write_bytes(content)
         done = call(place, *damage.words)
@@ -325,36 +354,52 @@ def damaged_files(damage: Damage, folder: Path, most: int) -> Counter[str]:
         assert not damage.refused or done.status == 2, where
         if damage.sound:
             assert done.status == 0 and results_of(place) == expected, where
-        found["refused" if done.status else "accepted"] += 1
-    return found
+        shutil.rmtree(place)
+        return "refused" if done.status else "accepted"
+
+    whole = (start / damage.file).read_bytes()
+    return tally((partial(check, *case) for case in enumerate(damages(whole, most))), jobs)
+
+
+Work = Callable[[Path, int], Counter[str]]
+
+
+def campaign(damages: int, shim: Path) -> Iterable[tuple[str, Work]]:
+    """All of it: what is done and how it is done, in a folder, so many at a time."""
+    for how in ("fail", "kill", "tear"):
+        for command in COMMANDS:
+            yield f"{how}, {command.name}", (lambda folder, jobs, command=command, how=how:
+                                             faulty_calls(command, how, folder, shim, jobs=jobs))
+    for damage in DAMAGES:
+        yield f"damage, {damage.name}", (lambda folder, jobs, damage=damage:
+                                         damaged_files(damage, folder, damages, jobs))
+
+
+def attempt(label: str, work: Work, jobs: int) -> bool:
+    """Does a part and prints its counts; whether nothing was wrong."""
+    begin = time.monotonic()
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            counts = work(Path(folder) / "faults", jobs)
+        except AssertionError as error:
+            print(f"{label}: FAILED: {error}", flush=True)
+            return False
+    print(f"{label}: {counts.total()}: {dict(counts)}, {time.monotonic() - begin:.0f} s", flush=True)
+    return True
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", help='such as "kill, run" or "damage"; default: all')
     parser.add_argument("--damages", type=int, default=400, help="places to damage in each file")
-    parser.add_argument("--most-calls", type=int, default=None, help="of each command; default: all")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="cases side by side")
     words = parser.parse_args()
-    failures = 0
-
-    def attempt(label: str, work: Callable[[Path], Counter[str]]) -> None:
-        nonlocal failures
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                print(f"{label}: {dict(work(Path(folder)))}", flush=True)
-            except AssertionError as error:
-                failures += 1
-                print(f"{label}: FAILED: {error}", flush=True)
-
     with tempfile.TemporaryDirectory() as tools:
-        shim = build_shim(Path(tools))
-        for how in ("fail", "kill", "tear"):
-            for command in COMMANDS:
-                attempt(f"{how}, {command.name}", lambda folder, command=command, how=how: faulty_calls(
-                    command, how, folder, shim, words.most_calls))
-    for damage in DAMAGES:
-        attempt(f"damage, {damage.name}", lambda folder, damage=damage: damaged_files(
-            damage, folder, words.damages))
-    sys.exit(failures > 0)
+        parts = [(label, work) for label, work in campaign(words.damages, build_shim(Path(tools)))
+                 if not words.parts or any(label.startswith(part) for part in words.parts)]
+        good = [attempt(label, work, words.jobs) for label, work in parts]
+    sys.exit(not all(good))
 
 
 if __name__ == "__main__":

@@ -5,11 +5,12 @@
 //   FAULTY_IO_FOLDER  only files below this folder count
 //   FAULTY_IO_AT      which call, from 1; 0: none
 //   FAULTY_IO_HOW     "fail": the call does nothing and returns an error; "kill": SIGKILL before it;
-//                     "tear": a write puts half of its bytes there, then SIGKILL
+//                     "tear": a write puts half of its bytes there, then SIGKILL (writes alone count)
 //   FAULTY_IO_LOG     where the number of calls is written at the end
 //
 // Counted are calls that open, read, write, sync, close, lock, name and remove files.
 #define _GNU_SOURCE
+#include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -52,8 +53,14 @@ static int watch(int descriptor) {
   return descriptor;
 }
 
+static int tears(void) { return strcmp(setting("FAULTY_IO_HOW"), "tear") == 0; }
+
+/// Counts a write. Whether it is the one of which half is done.
+static int is_torn(void) { return tears() && ++calls == atol(setting("FAULTY_IO_AT")); }
+
 /// Counts a call. Whether it is the one that fails; it does not return where the program is killed.
 static int is_chosen(void) {
+  if (tears()) return 0;
   if (++calls != atol(setting("FAULTY_IO_AT"))) return 0;
   if (strcmp(setting("FAULTY_IO_HOW"), "kill") == 0) syscall(SYS_kill, getpid(), SIGKILL);
   return 1;
@@ -103,13 +110,30 @@ int openat(int folder, const char* path, int flags, ...) {
   return watch(NEXT(openat)(folder, path, flags, mode));
 }
 
+/// Streams of the C and C++ libraries, which read and write by calls that are counted.
+#define OPEN_STREAM(name)                                    \
+  FILE* name(const char* path, const char* mode) {           \
+    if (!concerns(path)) return NEXT(name)(path, mode);      \
+    if (is_chosen()) return fails(EIO), NULL;                \
+    FILE* const stream = NEXT(name)(path, mode);             \
+    if (stream) watch(fileno(stream));                       \
+    return stream;                                           \
+  }
+OPEN_STREAM(fopen)
+OPEN_STREAM(fopen64)
+
+DIR* opendir(const char* path) {
+  if (concerns(path) && is_chosen()) return fails(EIO), NULL;
+  return NEXT(opendir)(path);
+}
+
 ssize_t write(int file, const void* bytes, size_t size) {
-  if (!is_watched_descriptor(file) || !is_chosen()) return NEXT(write)(file, bytes, size);
-  if (strcmp(setting("FAULTY_IO_HOW"), "tear") == 0) {
+  if (!is_watched_descriptor(file)) return NEXT(write)(file, bytes, size);
+  if (is_torn()) {
     NEXT(write)(file, bytes, size / 2);
     syscall(SYS_kill, getpid(), SIGKILL);
   }
-  return fails(ENOSPC);
+  return is_chosen() ? fails(ENOSPC) : NEXT(write)(file, bytes, size);
 }
 
 #define ON_DESCRIPTOR(result, name, error, parameters, ...)                      \
