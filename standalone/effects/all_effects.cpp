@@ -24,6 +24,7 @@
   kind(convections) \
   kind(temperatures) \
   kind(plastic_heat) \
+  kind(friction_heat) \
   kind(expansion) \
   kind(softening) \
   kind(mass_scaling)

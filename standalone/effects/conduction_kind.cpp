@@ -9,6 +9,7 @@
 #include "effects/conduction.hpp"
 #include "effects/conduction_parameters.hpp"
 #include "effects/effect_kind.hpp"
+#include "effects/friction_heat.hpp"
 #include "effects/heat_clock.hpp"
 #include "effects/plastic_heat.hpp"
 #include "keys/rules.hpp"
@@ -100,7 +101,8 @@ std::unique_ptr<Effect> make_conduction(const ConductionParameters& parameters,
 /// What a user might expect of heat and motion together, and would not get.
 void note_what_stays_apart(const Setup& setup, Plan& plan) {
   std::vector<std::string> apart;
-  if (!setup.get<PlasticHeatParameters>()) apart.emplace_back("no work warms elements");
+  if (!setup.get<PlasticHeatParameters>() && !setup.get<FrictionHeatParameters>())
+    apart.emplace_back("no work warms elements");
   if (!setup.get<ExpansionParameters>())
     apart.emplace_back("temperature does not change their size (no thermal expansion)");
   if (!setup.get<SofteningParameters>())

@@ -227,6 +227,7 @@ void ElementContacts::find_force(const Motion& motion, std::size_t k, Sums& sums
   acts_[k] = touches ? 1 : 0;
   sums.friction += response.friction_work;
   sums.damped += response.damping_work;
+  if (heat_ != nullptr) lost_[k] = heat_->of(response.friction_work, response.damping_work);
   if (touches) ++sums.acting;
 }
 
@@ -235,6 +236,7 @@ void ElementContacts::find_forces(double time_step) {
   const Motion motion{model_.data(columns::pose), rows_.data(), time_step};
   const std::size_t blocks = acts_.size() / contacts_a_block + 1;
   std::vector<Sums> parts(blocks);
+  if (heat_ != nullptr) lost_.assign(acts_.size(), 0.0);
   for_blocks(blocks, 4, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block) {
       Sums sums;
@@ -249,6 +251,23 @@ void ElementContacts::find_forces(double time_step) {
     damped_ += part.damped;
     acting_ += part.acting;
   }
+  if (heat_ != nullptr) warm_elements();
+}
+
+void ElementContacts::warm_elements() {
+  double* heat = model_.data(columns::friction_heat);
+  const std::vector<std::int32_t>& elements = list_.elements();
+  for_blocks(elements.size() / elements_a_block + 1, 8, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first * elements_a_block;
+         n < std::min(elements.size(), last * elements_a_block); ++n) {
+      const std::int32_t element = elements[n];
+      list_.for_each_side(n, [&](const ContactList::Side& side) {
+        const Pair& pair = list_.candidates()[side.candidate].pair;
+        heat[element] +=
+            heat_->share(element, side.is_first ? pair.j : pair.i) * lost_[side.candidate];
+      });
+    }
+  });
 }
 
 void ElementContacts::look(const Step& step) {

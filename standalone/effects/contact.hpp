@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "effects/beam_parameters.hpp"
+#include "effects/contact_heat.hpp"
 #include "effects/contact_law.hpp"
 #include "effects/contact_list.hpp"
 #include "effects/grips.hpp"
@@ -36,6 +37,8 @@ class ElementContacts : public Effect {
 
   /// Tells which elements are held, once it is known: their velocities stand in no column.
   void follow(const std::vector<Grip*>& grips);
+  /// From now on what contacts lose is entered as heat of their elements (columns::friction_heat).
+  void warm(const ContactHeat& heat) { heat_ = &heat; }
 
   /// Finds who touches at the start. Throws InputError where elements overlap that may not.
   void start(const Model& model, double duration) override;
@@ -100,6 +103,8 @@ class ElementContacts : public Effect {
   /// Sum over the contacts of an element.
   BeamLoad<double> sum_on(std::size_t exposed) const;
   double stored(std::size_t k) const;
+  /// Enters what contacts lost in a step as heat of their elements.
+  void warm_elements();
 
   // Bonds.
   void follow_ruptures();
@@ -132,11 +137,13 @@ class ElementContacts : public Effect {
   std::map<Pair, std::size_t> broken_;  ///< the last of the broken bonds between two elements
   std::size_t broken_seen_ = 0, removed_seen_ = 0;  ///< bonds and elements, by now
   std::size_t bonded_anew_ = 0, acting_ = 0;
-  double friction_ = 0, damped_ = 0;  ///< dissipated since the start, J
-  std::vector<char> imposed_;         ///< axes along which a grip moves an element; empty: none
-  std::vector<double> bonded_;        ///< sum of E S / l of the bonds of each element, N/m
-  double stiffness_at_start_ = 0;     ///< of an element, over its mass, 1/s²
-  double largest_stiffness_ = 0;      ///< that was met, likewise
+  double friction_ = 0, damped_ = 0;   ///< dissipated since the start, J
+  const ContactHeat* heat_ = nullptr;  ///< null: contacts make none
+  std::vector<double> lost_;       ///< of each candidate in the last step, as heat, J; with that
+  std::vector<char> imposed_;      ///< axes along which a grip moves an element; empty: none
+  std::vector<double> bonded_;     ///< sum of E S / l of the bonds of each element, N/m
+  double stiffness_at_start_ = 0;  ///< of an element, over its mass, 1/s²
+  double largest_stiffness_ = 0;   ///< that was met, likewise
 };
 
 }  // namespace solidem

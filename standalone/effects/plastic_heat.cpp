@@ -2,37 +2,23 @@
 #include "effects/plastic_heat.hpp"
 
 #include "effects/assembly.hpp"
+#include "effects/delivered_heat.hpp"
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
-#include "model/blocks.hpp"
 
 namespace solidem {
 
 void PlasticHeat::deliver(Model& model) {
-  const double* work = model.data(columns::plastic_work);
-  double* given = model.data(columns::plastic_heat);
-  double* temperature = model.data(columns::temperature);
-  const std::size_t elements = model.elements();
-  for_blocks(elements, 1 << 14, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const double heat = parameters_.fraction * work[i] - given[i];
-      if (heat == 0) continue;
-      const double before = temperature[i];
-      temperature[i] = conduction_.heated(model, i, before, heat);
-      given[i] += conduction_.heat(model, i, before, temperature[i]);
-    }
-  });
+  deliver_heat(model, conduction_, parameters_.fraction, columns::plastic_work,
+               columns::plastic_heat);
 }
 
 void PlasticHeat::observe(const Model& model, Observation& observation) const {
-  const double* given = model.data(columns::plastic_heat);
-  long double delivered = 0;
-  for (std::size_t i = 0; i < model.elements(); ++i) delivered += given[i];
-  const auto heat = static_cast<double>(delivered);
+  const double given = sum_of(model, columns::plastic_heat);
   const double whole = parameters_.fraction * observation.energies.of("plastic_work");
-  observation.heat.heat_input += heat;
+  observation.heat.heat_input += given;
   observation.add("plastic_heat", whole);
-  observation.add("waiting_heat", whole - heat);
+  observe_waiting_heat(observation, whole - given);
 }
 
 namespace {

@@ -16,8 +16,6 @@ struct PlasticHeatParameters {
 /// Plastic work of bonds heats their ends, either by half of it.
 ///
 /// An element keeps the heat that it was given, J; the rest of its share waits until heat steps.
-/// What a temperature cannot show of it, for it has no such digits, waits on, so that heat is
-/// fraction × work after any number of steps.
 class PlasticHeat : public HeatOfMotion {
  public:
   static std::vector<const Column*> columns() { return {&columns::plastic_heat}; }

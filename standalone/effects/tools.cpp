@@ -334,12 +334,23 @@ void Tool::look(Model& model, const Step& step, const std::vector<char>& imposed
     damping_ += candidate.damping;
     for (const Touch& touch : candidate.touches) stored_ += touch.stored;
   }
+  if (contact_heat_ != nullptr) share_heat(model);
   work_ -= 0.5 * turned * dot(torque_before + torque_, motion_.rotation_axis);
   if (motion_.drive)
     work_ += 0.5 * (motion_.drive->force(step.time) + motion_.drive->force(time)) *
              dot(way, motion_.drive->axis);
   else
     work_ -= 0.5 * dot(force_before + force_, way);
+}
+
+void Tool::share_heat(Model& model) {
+  double* of_elements = model.data(columns::friction_heat);
+  for (const Candidate& candidate : candidates_) {
+    const double heat = contact_heat_->of(candidate.friction, candidate.damping);
+    const double share = contact_heat_->share(candidate.element, contact_.effusivity);
+    of_elements[candidate.element] += share * heat;
+    heat_ += (1 - share) * heat;
+  }
 }
 
 void Tool::observe(const Model& model, Observation& observation) const {
@@ -373,6 +384,7 @@ void Tool::observe(const Model& model, Observation& observation) const {
   for (int k = 0; k < 3; ++k)
     add(std::string("displacement_") + axis_names[k], component(displacement_, k));
   if (motion_.turns()) add("angle", angle_);
+  if (contact_heat_ != nullptr) add("heat", heat_);
 }
 
 double Tool::stiffness_over_mass() const {
@@ -395,6 +407,7 @@ void Tool::state(Archive& archive) {
     if (!candidate.touches.empty()) touching.push_back(candidate);
   archive(touching, displacement_, angle_, travel_, speed_, force_, torque_, stored_, friction_,
           damping_, work_);
+  if (contact_heat_ != nullptr) archive(heat_);
   if (!archive.is_reading()) return;
   candidates_ = std::move(touching);
   is_listed_ = false;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "effects/contact_heat.hpp"
 #include "effects/effect.hpp"
 #include "effects/tool_motion.hpp"
 #include "laws/linear_contact.hpp"
@@ -22,6 +23,7 @@ struct ToolContact {
   double tangential_ratio = 2.0 / 7;  ///< k_t / k_n
   double friction = 0;                ///< μ
   double restitution = 1;             ///< e
+  double effusivity = 0;  ///< W s^½/(m² K), as it takes heat of friction; 0: it takes none
 };
 
 /// A rigid body that elements touch: laws/linear_contact.hpp. How it moves is given, but along the
@@ -41,6 +43,9 @@ class Tool : public Effect {
   void advance(Model& model, const Step& step) override;
   /// Finds the contacts of the poses after a step. `imposed`: elements whose motion grips impose.
   void look(Model& model, const Step& step, const std::vector<char>& imposed);
+  /// From now on what its contacts lose is entered as heat of elements (columns::friction_heat) and
+  /// its own.
+  void warm(const ContactHeat& heat) { contact_heat_ = &heat; }
 
   void observe(const Model& model, Observation& observation) const override;
   std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override;
@@ -99,6 +104,8 @@ class Tool : public Effect {
   };
 
   void fit_radii(const Model& model);
+  /// Shares what contacts lost in a step.
+  void share_heat(Model& model);
   void move(double time);
   /// How far the tool may have moved, m, where elements are, since candidates were sought.
   double moved_since_search() const;
@@ -144,6 +151,8 @@ class Tool : public Effect {
   Vector force_{}, torque_{};      ///< on the tool, of its contacts; about the rotation point
   double stored_ = 0;              ///< J
   double friction_ = 0, damping_ = 0, work_ = 0;  ///< since the start, J
+  const ContactHeat* contact_heat_ = nullptr;     ///< null: its contacts make none
+  double heat_ = 0;                               ///< that it was given since the start, J
 };
 
 }  // namespace solidem

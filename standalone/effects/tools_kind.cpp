@@ -9,6 +9,7 @@
 #include "effects/assembly.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/free_motion.hpp"
+#include "effects/friction_heat.hpp"
 #include "effects/grips.hpp"
 #include "effects/mechanics.hpp"
 #include "effects/tools.hpp"
@@ -38,7 +39,11 @@ struct ToolParameters {
   ToolMotion motion;
   ToolDrive drive;
   ToolContact contact;
+  std::optional<double> conductivity, density, specific_heat;  ///< W/(m K), kg/m³, J/(kg K)
 };
+
+/// As a tool that takes its share of the heat of friction must name.
+const std::vector<std::string> thermal_keys = {"conductivity", "density", "specific_heat_capacity"};
 
 /// Finds the contacts of all tools after each move.
 class ToolContacts : public Effect {
@@ -82,7 +87,7 @@ Rule along_axes(std::array<TimeFunction, 3>& target, const Dimension& dimension)
                 });
 }
 
-std::vector<Key> tool_keys(ToolParameters& p, Reading& reading) {
+std::vector<Key> keys_of_shape_and_motion(ToolParameters& p, Reading& reading) {
   using Shape = ToolShape;
   const Rule way = {"a table {time, position}",
                     [&p](const Value& value) { p.motion.along = read_path(Section(value)); }};
@@ -153,6 +158,22 @@ std::vector<Key> tool_keys(ToolParameters& p, Reading& reading) {
           .means("coefficient, of an element alone against the tool")};
 }
 
+std::vector<Key> tool_keys(ToolParameters& p, Reading& reading) {
+  std::vector<Key> keys = keys_of_shape_and_motion(p, reading);
+  keys.push_back(
+      may_have("conductivity", quantity(p.conductivity, dimension::conductivity, positive))
+          .means("of the tool, by which it shares the heat of friction; with `[friction_heat]`")
+          .without("all heat of friction goes into elements"));
+  keys.push_back(may_have("density", quantity(p.density, dimension::density, positive))
+                     .means("likewise")
+                     .without("needed with conductivity"));
+  keys.push_back(may_have("specific_heat_capacity",
+                          quantity(p.specific_heat, dimension::specific_heat_capacity, positive))
+                     .means("likewise")
+                     .without("needed with conductivity"));
+  return keys;
+}
+
 /// Keys that belong to one shape, or to some, are needed with them or may be there; with others
 /// they are refused.
 void check_shape(const Section& section, ToolShape shape) {
@@ -201,6 +222,10 @@ void finish_tool(const Section& section, ToolParameters& p, Reading& /*reading*/
   insist_on(section, "rotation_point", "angular_velocity");
   insist_on(section, "tilt_axis", "tilt_angle");
   insist_on(section, "tilt_angle", "tilt_axis");
+  for (const std::string& given : thermal_keys)
+    for (const std::string& needed : thermal_keys) insist_on(section, given, needed);
+  if (p.conductivity)
+    p.contact.effusivity = effusivity_of(*p.conductivity, *p.density, *p.specific_heat);
   if (!section.has("rotation_point")) p.motion.rotation_point = p.origin;
   p.motion.is_path = section.has("path");
   if (section.has("force")) p.motion.drive = p.drive;
@@ -281,6 +306,13 @@ void plan_tools(const Setup& setup, Plan& plan) {
     plan.effects.push_back({"tool " + tool.name, "[[tools]]", "", Phase::push,
                             [tool](Assembly& assembly) { return make_tool(tool, assembly); }});
   if (tools.empty()) return;
+  if (!setup.get<FrictionHeatParameters>())
+    for (const ToolParameters& tool : tools)
+      if (tool.contact.effusivity > 0)
+        throw InputError("[[tools]] \"" + tool.name +
+                         "\": conductivity, density and specific_heat_capacity say how much of "
+                         "the heat of friction it takes, and there is none; expected a section "
+                         "[friction_heat], or none of the three");
   if (elements_are_loose(setup) && std::any_of(tools.begin(), tools.end(), [](const auto& tool) {
         return tool.contact.friction > 0;
       }))

@@ -100,6 +100,13 @@ minimal_neighbours = 1
 yield_strain = 0.002
 [plastic_heat]
 [expansion]
+[[tools]]
+name = "pin"
+shape = "sphere"
+origin = ["-1 mm", "0 mm", "0 mm"]
+radius = "0.2 mm"
+friction = 0.3
+[friction_heat]
 """,
 }
 

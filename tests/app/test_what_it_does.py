@@ -48,6 +48,8 @@ SCENES = {
         BODY + ALUMINIUM + STIFF_BEAMS + "[damage]\ncrack_threshold = 0.7\n",
     "`[plastic_heat]` without `[plasticity]`":
         BODY + CONDUCTING_ALUMINIUM + STIFF_BEAMS + "[plastic_heat]\n",
+    "`[friction_heat]` without `[contact]` or `[[tools]]`":
+        BODY + CONDUCTING_ALUMINIUM + STIFF_BEAMS + "[friction_heat]\n",
 }
 
 

@@ -78,6 +78,15 @@ TEST(BadTools, RevolutionsPerMinuteAreAnAngularVelocity) {
             "");
 }
 
+TEST(BadTools, WhatAToolIsMadeOfIsToldAsAWholeAndBesideHeatOfFriction) {
+  const std::string still = "shape = \"plane\"\n" + apart;
+  expect_refusal(still + "conductivity = \"50 W/(m K)\"", "\"density\" is missing");
+  expect_refusal(still +
+                     "conductivity = \"50 W/(m K)\"\ndensity = \"7800 kg/m^3\"\n"
+                     "specific_heat_capacity = \"490 J/(kg K)\"",
+                 "expected a section [friction_heat]");
+}
+
 TEST(BadTools, AToolThatBeginsInsideOfTheBodyIsToldHowDeepAndWhere) {
   expect_refusal("shape = \"plane\"\norigin = [\"0 mm\", \"0 mm\", \"0.15 mm\"]",
                  "[[tools]] \"one\" begins inside of the body: ");
