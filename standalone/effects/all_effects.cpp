@@ -25,6 +25,7 @@
   kind(temperatures) \
   kind(plastic_heat) \
   kind(friction_heat) \
+  kind(contact_conduction) \
   kind(expansion) \
   kind(softening) \
   kind(mass_scaling)

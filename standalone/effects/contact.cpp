@@ -297,7 +297,7 @@ BeamLoad<double> ElementContacts::sum_on(std::size_t exposed) const {
 
 double ElementContacts::stored(std::size_t k) const {
   const ContactCandidate& candidate = list_.candidates()[k];
-  const double depth = candidate.distance - (load_[k].arm_i + load_[k].arm_j);
+  const double depth = overlap(k);
   const Vector& spring = history_[k].spring;
   return 0.5 * candidate.stiffness *
          (depth * depth + law_.tangential_stiffness_ratio * dot(spring, spring));

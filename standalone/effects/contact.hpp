@@ -44,6 +44,12 @@ class ElementContacts : public Effect {
   void start(const Model& model, double duration) override;
   /// Pushes the elements that touch, and bonds anew.
   void advance(Model& model, const Step& step) override;
+  /// Calls visit(pair, overlap) for each contact that acts, in the order of their pairs; m.
+  template <class Visit>
+  void for_each_acting(const Visit& visit) const {
+    for (std::size_t k = 0; k < acts_.size(); ++k)
+      if (acts_[k] != 0) visit(list_.candidates()[k].pair, overlap(k));
+  }
   /// Looks at the poses that a step has led to.
   void look(const Step& step);
   /// Forces of the contacts, their energy and their number.
@@ -102,6 +108,10 @@ class ElementContacts : public Effect {
   BeamLoad<double> load(std::size_t k) const;
   /// Sum over the contacts of an element.
   BeamLoad<double> sum_on(std::size_t exposed) const;
+  /// Of a contact that acts, when it was last looked at, m.
+  double overlap(std::size_t k) const {
+    return list_.candidates()[k].distance - (load_[k].arm_i + load_[k].arm_j);
+  }
   double stored(std::size_t k) const;
   /// Enters what contacts lost in a step as heat of their elements.
   void warm_elements();

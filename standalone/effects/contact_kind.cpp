@@ -8,8 +8,10 @@
 #include "effects/beam_parameters.hpp"
 #include "effects/conduction_parameters.hpp"
 #include "effects/contact.hpp"
+#include "effects/contact_conduction.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/free_motion.hpp"
+#include "effects/heat_load_parameters.hpp"
 #include "keys/rules.hpp"
 #include "laws/linear_contact.hpp"
 #include "model/error.hpp"
@@ -119,16 +121,40 @@ void finish_contact(const Section& section, ContactParameters& p, Reading& readi
                    "no friction, or beams of another law");
 }
 
+/// Heat of loose elements passes through contacts, and is not given to places that they leave.
+void check_heat_of_loose(const Setup& setup) {
+  const auto& conduction = setup.get<ConductionParameters>();
+  if (!conduction) return;
+  if (!setup.get<ContactConductionParameters>())
+    throw InputError(
+        "[conduction] loose elements move away from those that they gave heat to at the start; "
+        "expected a section [contact_conduction], or [beams] beside [contact], or no [conduction]");
+  if (conduction->law != ConductionParameters::Law::platonic)
+    throw InputError(
+        "[conduction] law: loose elements exchange heat through contacts alone; expected "
+        "\"platonic\", for which each has the volume of its sphere");
+  const auto refuse_if = [](bool stays, const std::string& section, const std::string& name) {
+    if (stays)
+      throw InputError("[[" + section + "]] \"" + name +
+                       "\": loose elements move away from where it is; expected a body with "
+                       "[beams], or heat in a region of elements");
+  };
+  for (const auto& flux : setup.all<HeatFluxParameters>())
+    refuse_if(true, "heat_fluxes", flux.name);
+  for (const auto& fluid : setup.all<ConvectionParameters>())
+    refuse_if(true, "convections", fluid.name);
+  for (const auto& imposed : setup.all<ImposedTemperatureParameters>())
+    refuse_if(!imposed.wall.empty(), "temperatures", imposed.name);
+  for (const auto& source : setup.all<HeatSourceParameters>())
+    refuse_if(source.shape.has_value(), "heat_sources", source.name);
+}
+
 void plan_contact(const Setup& setup, Plan& plan) {
   const auto& contact = setup.get<ContactParameters>();
   if (!contact) return;
   const ContactLaw law = law_of(setup);
   if (elements_are_loose(setup)) {
-    if (setup.get<ConductionParameters>())
-      throw InputError(
-          "[conduction] loose elements move away from those that they gave heat to at "
-          "the start; expected a section [beams] beside [contact], or no "
-          "[conduction]");
+    check_heat_of_loose(setup);
     if (setup.gauge)
       throw InputError(
           "[gauge] the elements are loose, so that there is no body to measure; "

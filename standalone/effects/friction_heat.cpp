@@ -22,7 +22,7 @@ FrictionHeat::FrictionHeat(const FrictionHeatParameters& parameters, std::vector
   for (Tool* tool : tools) tool->warm(heat_);
 }
 
-void FrictionHeat::deliver(Model& model) {
+void FrictionHeat::deliver(Model& model, const Step& /*step*/) {
   deliver_heat(model, conduction_, 1, columns::friction_heat, columns::given_friction_heat);
 }
 

@@ -33,7 +33,7 @@ class FrictionHeat : public HeatOfMotion {
                const Conduction& conduction, ElementContacts* contacts,
                const std::vector<Tool*>& tools);
 
-  void deliver(Model& model) override;
+  void deliver(Model& model, const Step& step) override;
 
   /// The heat of all that contacts lost, that of tools too, and how much of it waits.
   void observe(const Model& model, Observation& observation) const override;

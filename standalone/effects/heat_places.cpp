@@ -4,10 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/contact_conduction.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"
 
 namespace solidem {
+
+namespace {
+
+/// How many ways heat has into each element and out of it; all have some where contacts conduct.
+std::vector<int> ways_of_heat(const Assembly& assembly) {
+  if (assembly.setup.get<ContactConductionParameters>())
+    return std::vector<int>(assembly.model.elements(), 1);
+  return assembly.model.conductors().coordination();
+}
+
+}  // namespace
 
 std::vector<WallFace> faces_of(const Assembly& assembly, const std::string& section,
                                const std::string& name, const std::string& wall) {
@@ -36,7 +48,7 @@ std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::strin
                                             const Region& region) {
   const Specimen& specimen = assembly.specimen();
   std::vector<std::int32_t> elements = select_some(assembly.selections, name, region, specimen);
-  const std::vector<int> neighbours = assembly.model.conductors().coordination();
+  const std::vector<int> neighbours = ways_of_heat(assembly);
   const bool all_alone = std::all_of(elements.begin(), elements.end(), [&](std::int32_t e) {
     return neighbours[static_cast<std::size_t>(e)] == 0;
   });
@@ -51,8 +63,7 @@ std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::strin
 
 std::vector<double> which_conduct(const Assembly& assembly) {
   std::vector<double> conduct;
-  for (const int neighbours : assembly.model.conductors().coordination())
-    conduct.push_back(neighbours > 0 ? 1 : 0);
+  for (const int neighbours : ways_of_heat(assembly)) conduct.push_back(neighbours > 0 ? 1 : 0);
   return conduct;
 }
 

@@ -8,7 +8,7 @@
 
 namespace solidem {
 
-void PlasticHeat::deliver(Model& model) {
+void PlasticHeat::deliver(Model& model, const Step& /*step*/) {
   deliver_heat(model, conduction_, parameters_.fraction, columns::plastic_work,
                columns::plastic_heat);
 }

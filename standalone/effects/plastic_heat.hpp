@@ -23,7 +23,7 @@ class PlasticHeat : public HeatOfMotion {
   PlasticHeat(const PlasticHeatParameters& parameters, const Conduction& conduction)
       : parameters_(parameters), conduction_(conduction) {}
 
-  void deliver(Model& model) override;
+  void deliver(Model& model, const Step& step) override;
 
   /// The heat of all plastic work, that of the flow at this moment too, and how much of it waits.
   void observe(const Model& model, Observation& observation) const override;

@@ -9,12 +9,12 @@
 
 namespace solidem {
 
-/// Heat that motion has made since heat last stepped.
+/// Heat that motion has made since heat last stepped, or that passes where elements touch now.
 class HeatOfMotion : public Effect {
  public:
   void advance(Model& /*model*/, const Step& /*step*/) override {}  // see deliver()
-  /// Gives it to the elements, whose temperatures rise at once.
-  virtual void deliver(Model& model) = 0;
+  /// Gives it to the elements, whose temperatures change at once, before heat takes a step.
+  virtual void deliver(Model& model, const Step& step) = 0;
 };
 
 /// What temperatures change about motion.

@@ -260,7 +260,7 @@ void Tool::press(const Passer& passer, const SurfacePoint& place, const Passage&
   candidate.damping += response.damping_work;
   if (overlap > 0)
     candidate.touches.push_back(
-        {response.history, response.normal_energy + response.tangential_energy});
+        {response.history, response.normal_energy + response.tangential_energy, overlap});
 }
 
 void Tool::meet(const Passer& passer, const RigidPose& pose, const Passage& passage,

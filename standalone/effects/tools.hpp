@@ -13,6 +13,7 @@
 #include "effects/tool_motion.hpp"
 #include "laws/linear_contact.hpp"
 #include "model/rigid_shape.hpp"
+#include "model/time_function.hpp"
 
 namespace solidem {
 
@@ -24,6 +25,7 @@ struct ToolContact {
   double friction = 0;                ///< μ
   double restitution = 1;             ///< e
   double effusivity = 0;  ///< W s^½/(m² K), as it takes heat of friction; 0: it takes none
+  std::optional<TimeFunction> temperature{};  ///< K, of what touches it; none: no heat passes
 };
 
 /// A rigid body that elements touch: laws/linear_contact.hpp. How it moves is given, but along the
@@ -62,6 +64,14 @@ class Tool : public Effect {
   /// Its surface where it is; of a plane a square that is larger than the body.
   TriangleMesh surface(const Model& model) const;
   RigidPose pose() const { return moved(start_, motion_, displacement_, angle_); }
+  /// Of the tool, K; none: no heat passes where elements touch it.
+  const std::optional<TimeFunction>& temperature() const { return contact_.temperature; }
+  /// Calls visit(element, overlap) for each place where it is touched, by element; m.
+  template <class Visit>
+  void for_each_touch(const Visit& visit) const {
+    for (const Candidate& candidate : candidates_)
+      for (const Touch& touch : candidate.touches) visit(candidate.element, touch.overlap);
+  }
   /// How often candidates were sought.
   std::size_t searches() const { return searches_; }
   /// Elements that it touches.
@@ -71,7 +81,8 @@ class Tool : public Effect {
   /// A place where an element touches.
   struct Touch {
     ContactHistory<double> history;
-    double stored = 0;  ///< J
+    double stored = 0;   ///< J
+    double overlap = 0;  ///< m; found anew in each look
 
     void state(Archive& archive) {
       archive(history.normal, history.spring, history.dashpot, stored);

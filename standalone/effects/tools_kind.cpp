@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "effects/assembly.hpp"
+#include "effects/beam_parameters.hpp"
+#include "effects/contact_conduction.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/free_motion.hpp"
 #include "effects/friction_heat.hpp"
@@ -39,6 +41,7 @@ struct ToolParameters {
   ToolMotion motion;
   ToolDrive drive;
   ToolContact contact;
+  TimeFunction temperature;                                    ///< K
   std::optional<double> conductivity, density, specific_heat;  ///< W/(m K), kg/m³, J/(kg K)
 };
 
@@ -171,6 +174,11 @@ std::vector<Key> tool_keys(ToolParameters& p, Reading& reading) {
                           quantity(p.specific_heat, dimension::specific_heat_capacity, positive))
                      .means("likewise")
                      .without("needed with conductivity"));
+  keys.push_back(
+      may_have("temperature", function(p.temperature, dimension::temperature, not_negative))
+          .means("of the tool, which elements that touch it exchange heat with; with "
+                 "`[contact_conduction]`")
+          .without("no heat passes"));
   return keys;
 }
 
@@ -224,6 +232,7 @@ void finish_tool(const Section& section, ToolParameters& p, Reading& /*reading*/
   insist_on(section, "tilt_angle", "tilt_axis");
   for (const std::string& given : thermal_keys)
     for (const std::string& needed : thermal_keys) insist_on(section, given, needed);
+  if (section.has("temperature")) p.contact.temperature = p.temperature;
   if (p.conductivity)
     p.contact.effusivity = effusivity_of(*p.conductivity, *p.density, *p.specific_heat);
   if (!section.has("rotation_point")) p.motion.rotation_point = p.origin;
@@ -300,19 +309,35 @@ std::unique_ptr<Effect> make_tool(const ToolParameters& p, Assembly& assembly) {
                                 stiffness_of(p, assembly), assembly.model);
 }
 
+/// What tools say of heat must mean something.
+void check_heat(const Setup& setup, const std::vector<ToolParameters>& tools) {
+  for (const ToolParameters& tool : tools) {
+    const std::string name = "[[tools]] \"" + tool.name + "\": ";
+    if (tool.contact.effusivity > 0 && !setup.get<FrictionHeatParameters>())
+      throw InputError(name +
+                       "conductivity, density and specific_heat_capacity say how much of the heat "
+                       "of friction it takes, and there is none; expected a section "
+                       "[friction_heat], or none of the three");
+    if (tool.contact.temperature && !setup.get<ContactConductionParameters>())
+      throw InputError(name +
+                       "temperature: no heat passes where elements touch it; expected a section "
+                       "[contact_conduction], or no temperature");
+  }
+  if (setup.get<ContactConductionParameters>() && !setup.get<ContactParameters>() &&
+      std::none_of(tools.begin(), tools.end(),
+                   [](const ToolParameters& tool) { return tool.contact.temperature; }))
+    throw InputError(
+        "[contact_conduction] elements do not touch each other, and no tool has a temperature; "
+        "expected temperature in [[tools]], or a section [contact]");
+}
+
 void plan_tools(const Setup& setup, Plan& plan) {
   const std::vector<ToolParameters>& tools = setup.all<ToolParameters>();
   for (const ToolParameters& tool : tools)
     plan.effects.push_back({"tool " + tool.name, "[[tools]]", "", Phase::push,
                             [tool](Assembly& assembly) { return make_tool(tool, assembly); }});
   if (tools.empty()) return;
-  if (!setup.get<FrictionHeatParameters>())
-    for (const ToolParameters& tool : tools)
-      if (tool.contact.effusivity > 0)
-        throw InputError("[[tools]] \"" + tool.name +
-                         "\": conductivity, density and specific_heat_capacity say how much of "
-                         "the heat of friction it takes, and there is none; expected a section "
-                         "[friction_heat], or none of the three");
+  check_heat(setup, tools);
   if (elements_are_loose(setup) && std::any_of(tools.begin(), tools.end(), [](const auto& tool) {
         return tool.contact.friction > 0;
       }))

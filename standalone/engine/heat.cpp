@@ -82,10 +82,10 @@ void Heat::adopt_conductors(double time, double time_step) {
                    "[conduction]");
 }
 
-void Heat::take_heat_of_motion(double time) {
-  for (HeatOfMotion* heating : of_motion_) heating->deliver(model_);
+void Heat::take_heat_of_motion(const Step& step) {
+  for (HeatOfMotion* heating : of_motion_) heating->deliver(model_, step);
   if (of_motion_.empty()) return;
-  for (ImposedTemperature* imposed : imposed_) imposed->hold(model_, time);
+  for (ImposedTemperature* imposed : imposed_) imposed->hold(model_, step.time);
 }
 
 void Heat::advance(const Step& motion) {
@@ -98,7 +98,7 @@ void Heat::advance(const Step& motion) {
     const double* temperature = model_.data(columns::temperature);
     before.assign(temperature, temperature + model_.elements());
   }
-  take_heat_of_motion(step->time);
+  take_heat_of_motion(*step);
   carry(*step);
   for (FollowsTemperature* following : following_) following->follow(model_, motion.time_step);
   if (before.empty()) return;

@@ -59,8 +59,8 @@ class Heat {
   HeatIntegrator* integrator() const { return integrator_.get(); }
 
  private:
-  /// Gives elements the heat that motion has made by a time, s.
-  void take_heat_of_motion(double time);
+  /// Gives elements the heat that motion has made before a step.
+  void take_heat_of_motion(const Step& step);
   /// Conducts and heats over a step.
   void carry(const Step& step);
   /// Makes known that bonds changed what conducts. Throws RunError where that makes the explicit

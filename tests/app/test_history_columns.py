@@ -106,7 +106,10 @@ shape = "sphere"
 origin = ["-1 mm", "0 mm", "0 mm"]
 radius = "0.2 mm"
 friction = 0.3
+temperature = "300 K"
 [friction_heat]
+[contact_conduction]
+conductance = "1 mW/K"
 """,
 }
 

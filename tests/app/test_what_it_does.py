@@ -24,6 +24,7 @@ SECOND_MATERIAL = ('[[beams.material]]\nname = "soft"\nyoung_modulus = "1 GPa"\n
                    'region = { axis = "x", side = "low", depth = "0.5 mm" }\n')
 FLOW = "[plasticity]\nyield_strain = 0.002\n"
 BREAK = "[rupture]\nstrain = 0.1\n"
+PASSING_ON = '[contact_conduction]\nconductance = "1 mW/K"\n'
 GAUGE = '[gauge]\naxis = "x"\nlower = "0.4 mm"\nupper = "0.9 mm"\n'
 TOOL = '[[tools]]\nname = "pin"\nshape = "sphere"\norigin = ["-1 mm", "0 mm", "0 mm"]\nradius = "0.2 mm"\n'
 RUN = "[run]\nsteps = 2\n"
@@ -50,6 +51,15 @@ SCENES = {
         BODY + CONDUCTING_ALUMINIUM + STIFF_BEAMS + "[plastic_heat]\n",
     "`[friction_heat]` without `[contact]` or `[[tools]]`":
         BODY + CONDUCTING_ALUMINIUM + STIFF_BEAMS + "[friction_heat]\n",
+    "`[contact_conduction]` without `[contact]` or `[[tools]]`":
+        BODY + CONDUCTING_ALUMINIUM + STIFF_BEAMS + PASSING_ON,
+    "`[contact_conduction]` without `[contact]`, `[[tools]]` without `temperature`":
+        BODY + CONDUCTING_ALUMINIUM + STIFF_BEAMS + TOOL + PASSING_ON,
+    '`[contact]` alone, `[conduction]` `law = "voronoi"`':
+        BODY + CONDUCTING_ALUMINIUM + 'law = "voronoi"\n' + LOOSE + PASSING_ON,
+    "`[contact]` alone, `[[convections]]`": BODY + CONDUCTING_ALUMINIUM + LOOSE + PASSING_ON
+    + '[[convections]]\nname = "air"\nwall = "x_low"\ncoefficient = "1 W/(m^2 K)"\n'
+      'temperature = "300 K"\n',
 }
 
 

@@ -85,6 +85,7 @@ TEST(BadTools, WhatAToolIsMadeOfIsToldAsAWholeAndBesideHeatOfFriction) {
                      "conductivity = \"50 W/(m K)\"\ndensity = \"7800 kg/m^3\"\n"
                      "specific_heat_capacity = \"490 J/(kg K)\"",
                  "expected a section [friction_heat]");
+  expect_refusal(still + "temperature = \"300 K\"", "expected a section [contact_conduction]");
 }
 
 TEST(BadTools, AToolThatBeginsInsideOfTheBodyIsToldHowDeepAndWhere) {
