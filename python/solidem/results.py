@@ -17,6 +17,7 @@ from ._core import InputError
 
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
+    from PIL import Image  # type: ignore[import]
 
 Floats = npt.NDArray[np.float64]
 
@@ -135,6 +136,16 @@ class Results:
             if "bonds/pairs" in file:
                 body["bonds"] = file["bonds/pairs"][...]
         return body
+
+    def view(self, field: str | None = None, *, frame: int = -1, width: int = 900,
+             **how: Any) -> Image.Image:
+        """A picture of a frame (PIL, which notebooks show); needs h5py and matplotlib. `field`: what
+        colours the elements, else their temperature or how far they have moved; `how`: other fields
+        of solidem.view.View, such as azimuth or magnified."""
+        from .view import View, paint, usual_field
+
+        seen = View(field=field or usual_field(self.folder), **how)
+        return paint(self.folder, seen, frame=frame, width=width)
 
     def _trajectory(self) -> Path:
         path = self.folder / "trajectory.h5"

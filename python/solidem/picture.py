@@ -55,7 +55,8 @@ class Layer:
         self.depth = np.full((self.height, self.width), -np.inf)
         self.colour = np.ones((self.height, self.width, 3))
 
-    def enter(self, place: tuple[slice, slice], depth: Array, colour: Array, inside: Array) -> None:
+    def enter(self, place: tuple[slice, slice], depth: Array, colour: Array,
+              inside: NDArray[np.bool_]) -> None:
         """Something that fills the pixels `inside` of the rectangle `place`."""
         nearer = inside & (depth > self.depth[place])
         self.depth[place][nearer] = depth[nearer]
@@ -144,7 +145,8 @@ class Picture:
             reach = max(1, int(share * depth.shape[1]))
             below = (blurred(ground, reach) - ground) * self.scale / reach
             hidden += np.clip(below, 0, 1.5)
-        return self.bodies.colour * np.where(filled, np.exp(-0.55 * hidden), 1)[..., None]
+        light = np.where(filled, np.exp(-0.55 * hidden), 1)[..., None]
+        return np.asarray(self.bodies.colour * light)
 
     def image(self) -> Array:
         """(height, width, 3), from 0 to 1, the first row on top."""
