@@ -11,8 +11,7 @@
 #include "laws/crack_face.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::central_kernels_test {
 
 constexpr double range = 1.4;
 constexpr double deepest = 0.05;  // some pairs are brought nearer
@@ -285,5 +284,4 @@ TEST(CentralForces, give_the_same_bits_on_any_number_of_threads) {
   omp_set_num_threads(before);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::central_kernels_test

@@ -11,8 +11,7 @@
 #include "laws/platonic_conduction.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::changing_conductors_test {
 
 using Law = ConductionParameters::Law;
 using BrokenBonds = ConductionParameters::BrokenBonds;
@@ -263,5 +262,4 @@ TEST(ChangingConductors, new_pairs_shorten_the_stable_step_no_more_than_is_fores
   EXPECT_GT(foreseen, 0.5 * now);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::changing_conductors_test

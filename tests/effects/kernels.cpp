@@ -15,9 +15,7 @@
 #include "laws/rigid_sphere.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-
-namespace {
+namespace solidem::kernels_test {
 
 /// Moves and turns every element by a little, the same in every run.
 void disturb(Model& model, double size) {
@@ -272,5 +270,4 @@ TEST(HeatKernel, gives_the_rates_of_the_law) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::kernels_test

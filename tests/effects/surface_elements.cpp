@@ -7,8 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace solidem {
-namespace {
+namespace solidem::surface_elements_test {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
@@ -60,5 +59,4 @@ TEST(SurfaceElements, ArePressedByBodiesThatStandNearerThanAnElementIsLarge) {
   EXPECT_TRUE(is_exposed(specimen));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::surface_elements_test

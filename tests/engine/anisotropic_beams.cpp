@@ -11,8 +11,7 @@
 #include "effects/initial_velocities.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::anisotropic_beams_test {
 
 Setup grained_setup() {
   Setup setup = elastic_setup();
@@ -110,5 +109,4 @@ TEST(AnisotropicBeams, HeatDoesNotPassAlongFibres) {
   EXPECT_EQ(simulation.model().slots().pairs(), body.bonds);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::anisotropic_beams_test

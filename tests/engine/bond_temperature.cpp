@@ -13,8 +13,7 @@
 #include "solve/statics/static_equilibrium.hpp"
 #include "support/thermomechanics.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::bond_temperature_test {
 
 constexpr double alpha = 23e-6;
 
@@ -293,5 +292,4 @@ TEST(Expansion, goes_on_in_the_bonds_that_are_left) {
   EXPECT_LE(std::fabs(value_of(row, "energy_balance")), 2e-3 * value_of(row, "kinetic_energy"));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::bond_temperature_test

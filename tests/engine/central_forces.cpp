@@ -9,8 +9,7 @@
 #include "effects/grip_parameters.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::central_forces_test {
 
 using Saved = std::map<std::string, std::vector<double>>;
 
@@ -431,5 +430,4 @@ TEST(StepLimitOfCentralForces, allows_for_the_deepest_overlap) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::central_forces_test

@@ -10,8 +10,7 @@
 #include "model/error.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::checkpoints_test {
 
 using Saved = std::map<std::string, std::vector<double>>;
 
@@ -88,5 +87,4 @@ TEST(Checkpoints, with_numbers_that_mean_nothing_are_refused_and_none_crashes) {
   EXPECT_NE(refusal(setup, specimen, less), "");
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::checkpoints_test

@@ -6,8 +6,7 @@
 #include "effects/heat_load_parameters.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::conduction_test {
 
 TEST(Conduction, on_a_simple_cubic_lattice_is_central_finite_differences) {
   constexpr int nx = 8, ny = 6, nz = 5;
@@ -96,5 +95,4 @@ TEST(Conduction, steady_profile_between_two_ends_is_linear_on_a_lattice) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::conduction_test

@@ -13,8 +13,7 @@
 #include "model/lane_vectors.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::contact_test {
 
 constexpr double stiffness = 1e5;  // N/m
 
@@ -309,5 +308,4 @@ TEST(BondedBodies, bear_contacts_a_million_times_stiffer_than_their_bonds) {
   EXPECT_NEAR(seen(simulation, "energy_balance"), 0, 1e-4 * start);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::contact_test

@@ -11,8 +11,7 @@
 #include "scene/scene_text.hpp"
 #include "support/thermomechanics.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::contact_conduction_test {
 
 constexpr int pressing = 420;  // steps, after which nothing moves any more
 constexpr double pi = 3.14159265358979323846;
@@ -238,5 +237,4 @@ TEST(ContactConduction, warms_loose_elements_that_have_no_other_way) {
   EXPECT_LE(std::fabs(value_of(row, "heat_balance")), 1e-11 * value_of(row, "heat_input"));
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::contact_conduction_test

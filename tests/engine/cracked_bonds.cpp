@@ -9,8 +9,7 @@
 #include "support/beams.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::cracked_bonds_test {
 
 constexpr double gap = 2.6;  // radii, between the middles of two blocks: beyond the range of 2.4
 
@@ -100,5 +99,4 @@ TEST(CrackedBonds, are_those_of_a_face_that_opens_where_free_faces_are_left_out)
   EXPECT_EQ(seen(simulation, "crack_faces"), 18);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::cracked_bonds_test

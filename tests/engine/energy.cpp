@@ -10,8 +10,7 @@
 #include "laws/rigid_sphere.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::energy_test {
 
 /// Starts the longitudinal, a bending and the torsional motion of a bar at once.
 std::unique_ptr<Simulation> vibrating_bar(double ratio, double speed,
@@ -157,5 +156,4 @@ TEST(Motion, runs_backwards_to_where_it_started) {
   EXPECT_LT(largest, 1e-11 * model.specimen().domain.upper.x);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::energy_test

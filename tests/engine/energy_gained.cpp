@@ -8,8 +8,7 @@
 #include "effects/initial_velocities.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::energy_gained_test {
 
 /// The note on a crystal of elements that attract each other, through which some of them were shot.
 std::optional<std::string> note_on_a_shot(double speed, double ratio) {
@@ -51,5 +50,4 @@ TEST(EnergyGained, looks_at_gains_above_round_off_alone) {
   EXPECT_FALSE(note_on_gained_energy({1, 1e-6, {{"thermal_energy", 2}}}, 0));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::energy_gained_test

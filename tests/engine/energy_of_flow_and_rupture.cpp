@@ -13,8 +13,7 @@
 #include "model/error.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::energy_of_flow_and_rupture_test {
 
 /// A free bar that stretches, bends and twists at once, beyond yield.
 std::unique_ptr<Simulation> struck_bar(Setup setup, double ratio, double speed) {
@@ -330,5 +329,4 @@ TEST(SectionOfRupture, is_at_the_ends_where_asked) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::energy_of_flow_and_rupture_test

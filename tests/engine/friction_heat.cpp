@@ -11,8 +11,7 @@
 #include "scene/scene_text.hpp"
 #include "support/thermomechanics.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::friction_heat_test {
 
 /// A scene whose specimen is made by hand: elements of metal with beams between them, warm.
 solidem::Setup scene_with(const std::string& sections, const std::string& material = "") {
@@ -278,5 +277,4 @@ TEST(FrictionHeat, changes_no_bit_of_the_motion_and_is_nowhere_where_it_is_not_n
     EXPECT_EQ(found.at("column." + name), expected.at("column." + name)) << name;
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::friction_heat_test

@@ -11,8 +11,7 @@
 #include "model/error.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::gauge_test {
 
 Setup with_central_forces(double range) {
   Setup setup;
@@ -162,5 +161,4 @@ TEST(CentralForces, of_an_element_on_its_own_images_count) {
   EXPECT_NEAR(value_of(row, "potential_energy") / energy, 1, 1e-12) << diameter;
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::gauge_test

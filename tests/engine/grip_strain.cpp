@@ -16,8 +16,7 @@
 #include "support/axis_controls.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::grip_strain_test {
 
 /// A bar whose ends are held, and moved so along x and y.
 Setup moved_bar(AxisControl along, AxisControl across = held()) {
@@ -173,5 +172,4 @@ TEST(RunForecast, counts_what_a_run_does_and_leaves_nothing_behind) {
   fs::remove_all(folder);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::grip_strain_test

@@ -9,8 +9,7 @@
 #include "support/axis_controls.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::grips_test {
 
 AxisControl pulled(double f) {
   return {AxisControl::Kind::force, TimeFunction::constant(f)};
@@ -161,5 +160,4 @@ TEST(Materials, an_element_outside_every_region_is_named) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::grips_test

@@ -20,8 +20,7 @@
 #include "support/beams.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::heat_across_cracks_test {
 
 using BrokenBonds = ConductionParameters::BrokenBonds;
 using Saved = std::map<std::string, std::vector<double>>;
@@ -315,5 +314,4 @@ TEST(Conductors, that_new_bonds_add_to_never_make_an_explicit_step_unstable_sile
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::heat_across_cracks_test

@@ -13,8 +13,7 @@
 #include "model/error.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::heat_laws_test {
 
 constexpr HeatIntegratorName integrators[] = {
     HeatIntegratorName::explicit_euler, HeatIntegratorName::rkl2, HeatIntegratorName::implicit,
@@ -328,5 +327,4 @@ TEST(BadInput, of_heat_loads_is_refused_with_what_would_be_right) {
   has(message_of(setup, broken), "no heat passes from end to end");
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::heat_laws_test

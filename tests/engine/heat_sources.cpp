@@ -13,8 +13,7 @@
 #include "specimen/tessellation.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::heat_sources_test {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double element = 2e-4;  // diameter in crystals of the tests, m
@@ -258,5 +257,4 @@ TEST(HeatSource, keeps_the_balance_of_heat_while_it_moves) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::heat_sources_test

@@ -5,8 +5,7 @@
 
 #include <chrono>
 
-namespace solidem {
-namespace {
+namespace solidem::interrupt_watch_test {
 
 using Clock = std::chrono::steady_clock;
 
@@ -37,5 +36,4 @@ TEST(InterruptWatch, lets_an_error_through) {
   EXPECT_THROW(watch.while_busy([] { throw 1; }), int);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::interrupt_watch_test

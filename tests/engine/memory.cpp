@@ -4,8 +4,7 @@
 #include "effects/conduction_parameters.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::memory_test {
 
 /// A packing with about 6.2 neighbours an element, as users make them.
 const Specimen& packing() {
@@ -49,5 +48,4 @@ TEST(Memory, of_two_effects_is_that_of_each_but_for_what_they_share) {
               0.1);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::memory_test

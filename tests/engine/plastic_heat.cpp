@@ -11,8 +11,7 @@
 #include "model/error.hpp"
 #include "support/thermomechanics.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::plastic_heat_test {
 
 /// A bar that flows in many places while it is heated by its own work.
 Setup flowing(double fraction = 0.9) {
@@ -200,5 +199,4 @@ TEST(HeatClock, may_be_ten_thousand_times_slower_than_motion) {
   EXPECT_LE(std::fabs(value_of(row, "heat_balance")), 1e-12 * value_of(row, "heat_input"));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::plastic_heat_test

@@ -10,8 +10,7 @@
 #include "effects/rupture.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::removal_of_elements_test {
 
 /// A row whose two halves fly apart, so that its bond in the middle breaks.
 Setup flying_apart(int minimal_bonds) {
@@ -80,5 +79,4 @@ TEST(RemovalOfElements, never_happens_to_those_that_lost_nothing) {
   EXPECT_EQ(simulation.find<Rupture>()->removed(), 0u);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::removal_of_elements_test

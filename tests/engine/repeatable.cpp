@@ -9,8 +9,7 @@
 #include "effects/heat_load_parameters.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::repeatable_test {
 
 /// Beams, conduction, grips and an imposed temperature at once.
 Setup everything() {
@@ -58,5 +57,4 @@ TEST(Repeatable, through_a_checkpoint) {
   EXPECT_EQ(second.observe().values, whole.observe().values);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::repeatable_test

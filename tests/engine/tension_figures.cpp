@@ -5,8 +5,7 @@
 
 #include "engine/tension_test.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::tension_figures_test {
 
 constexpr double modulus = 70e9;
 
@@ -47,5 +46,4 @@ TEST(TensionFigures, OfABrittleBarHaveNoYieldStress) {
   EXPECT_NEAR(*figures.rupture_strain, 0.003, 1.01e-4);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::tension_figures_test

@@ -8,8 +8,7 @@
 #include "model/error.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::time_step_test {
 
 /// Does a tiny disturbance stay tiny?
 bool stable(Setup setup, const Specimen& specimen, double time_step) {
@@ -98,5 +97,4 @@ TEST(TimeStep, divergence_is_reported) {
       RunError);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::time_step_test

@@ -14,8 +14,7 @@
 #include "support/beams.hpp"
 #include "support/meshes.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::tools_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -331,5 +330,4 @@ TEST(Tools, ListsOfWhatMayTouchAreMadeSeldomAndChangeNothing) {
   EXPECT_LT(simulation.find<Tool>()->searches(), 140U);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::tools_test

@@ -8,8 +8,7 @@
 #include "scene/scene_text.hpp"
 #include "support/beams.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::turning_grips_test {
 
 /// A bar along x, its left end held, its right end in a grip.
 Scene scene_with(const std::string& right, double ratio = 0.2, const std::string& left = "") {
@@ -161,5 +160,4 @@ TEST(TurningGrips, CentralForcesCarryOnBodiesThatAreTurnedRound) {
   }
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::turning_grips_test

@@ -11,8 +11,7 @@
 
 #include "targets.hpp"
 
-namespace solidem::fuzz {
-namespace {
+namespace solidem::fuzz::sample_test {
 
 std::string mutated(std::string input, std::mt19937& random) {
   const auto below = [&](std::size_t count) { return random() % std::max<std::size_t>(1, count); };
@@ -58,5 +57,4 @@ TEST_P(Fuzz, accepts_good_inputs_and_survives_others) {
 INSTANTIATE_TEST_SUITE_P(Inputs, Fuzz, testing::ValuesIn(targets()),
                          [](const auto& target) { return std::string(target.param.name); });
 
-}  // namespace
-}  // namespace solidem::fuzz
+}  // namespace solidem::fuzz::sample_test

@@ -9,8 +9,7 @@
 #include "laws/dual.hpp"
 #include "laws/rigid_sphere.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::beam_test {
 
 using Vector = Vector3<double>;
 using State = std::array<double, 12>;  // displacement of i, of j (m), rotation of i, of j (rad)
@@ -187,5 +186,4 @@ TEST(EulerBernoulliBeam, finite_bending_departs_from_linear_with_the_square_of_t
   EXPECT_NEAR(departure(0.1), 0.01 / 6, 1e-5);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::beam_test

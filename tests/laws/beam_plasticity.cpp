@@ -14,8 +14,7 @@
 #include "laws/linear_hardening.hpp"
 #include "laws/rigid_sphere.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::beam_plasticity_test {
 
 using Vector = Vector3<double>;
 using Turn = Quaternion<double>;
@@ -459,5 +458,4 @@ TEST(Contact, spheres_that_overlapped_at_rest_touch_where_they_were) {
   EXPECT_DOUBLE_EQ(contact_energy(10.0, 2.0, Vector{1.5, 0, 0}), 1.25);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::beam_plasticity_test

@@ -5,8 +5,7 @@
 
 #include <random>
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::bond_damping_test {
 
 typedef Vector3<double> Vector;
 
@@ -68,5 +67,4 @@ TEST(BondDampingLaw, DashpotsOfRatioOneAreCritical) {
   EXPECT_DOUBLE_EQ(light.shear, 5.0 / 4 + 2.0 / 0.25);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::bond_damping_test

@@ -12,8 +12,7 @@
 #include "laws/central_laws.hpp"
 #include "laws/crack_face.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::central_forces_test {
 
 constexpr double eq = 3e-4;      // δ_eq, m
 constexpr double gamma_ = 25;    // γ, N
@@ -339,5 +338,4 @@ TEST_F(Pairs, ALipShowsItsBarycentreAndAnInnerElementShowsNothing) {
   EXPECT_FALSE(on_opposite_faces({1, 0, 0}, {-1, 0, 0}, Vector3<double>{1, 0, 0}));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::central_forces_test

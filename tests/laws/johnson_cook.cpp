@@ -11,8 +11,7 @@
 
 #include "laws/dual.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::johnson_cook_test {
 
 using State = YieldState<double>;
 
@@ -156,5 +155,4 @@ TEST(JohnsonCook, warms_the_same_in_finer_steps_to_first_order) {
   EXPECT_LT(std::fabs(end(1000) - exact), 0.05);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::johnson_cook_test

@@ -10,8 +10,7 @@
 #include "laws/dual.hpp"
 #include "laws/rigid_sphere.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::linear_contact_test {
 
 using Vector = Vector3<double>;
 
@@ -236,5 +235,4 @@ TEST(LinearContact, two_that_part_leave_nothing_behind) {
   EXPECT_NEAR(now.friction_work, 0.5 * 0.8 * stiffness * 1e-14, 1e-20);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::linear_contact_test

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace solidem {
-namespace {
+namespace solidem::oriented_modulus_test {
 
 using V = Vector3<double>;
 
@@ -68,5 +67,4 @@ TEST(OrientedModulus, TurnsWithItsAxes) {
               modulus_along(modulus, along_axes, n), 1e-4);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::oriented_modulus_test

@@ -5,8 +5,7 @@
 
 #include "laws/heat_exchange.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::platonic_conduction_test {
 
 struct Row {
   int neighbours;
@@ -51,5 +50,4 @@ TEST(PlatonicConduction, stays_positive_beyond_the_table) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::platonic_conduction_test

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace solidem {
-namespace {
+namespace solidem::rigid_sphere_test {
 
 using Vector = Vector3<double>;
 
@@ -38,5 +37,4 @@ TEST(RigidSphere, the_matrix_of_a_quaternion_turns_alike) {
   EXPECT_LT(norm(rotate(q, v) - rotate(Rotation<double>(q), v)), 5e-16);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::rigid_sphere_test

@@ -9,8 +9,7 @@
 
 #include "laws/bond_limit.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::rupture_laws_test {
 
 /// A strain with these parts; the equivalent one follows.
 BondStrain<double> strained(double normal, double bending, double twist, double plastic = 0) {
@@ -101,5 +100,4 @@ TEST(BondLimit,
   EXPECT_EQ(limit_strain(nullptr, FlowRule::radial_return, nullptr, 0), unlimited);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::rupture_laws_test

@@ -11,8 +11,7 @@
 
 #include "laws/beam_flow.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::yield_laws_test {
 
 LinearHardening linear(double hardening_ratio) {
   return {2e-3, hardening_ratio};
@@ -281,5 +280,4 @@ TEST(VoceHardening, work_of_a_pull_is_energy_and_plastic_work) {
   EXPECT_LT(error_of(1000), 1e-6);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::yield_laws_test

@@ -9,8 +9,7 @@
 
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::blocks_test {
 
 /// More threads than the machine may have, as long as this lives.
 class SeveralThreads {
@@ -89,5 +88,4 @@ TEST(Parts, an_error_of_what_a_thread_needs_comes_out) {
     EXPECT_THROW(for_each_part_with(100, on_all, fails, [](int, std::size_t) {}), std::bad_alloc);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::blocks_test

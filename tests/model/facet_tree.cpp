@@ -10,8 +10,7 @@
 
 #include "support/meshes.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::facet_tree_test {
 
 Vector somewhere(std::mt19937& random, double half) {
   std::uniform_real_distribution<double> place(-half, half);
@@ -104,5 +103,4 @@ TEST(FacetTree, TheSideIsRightAtEdgesAndCornersInwardAndOutward) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::facet_tree_test

@@ -7,8 +7,7 @@
 
 #include "model/model.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::pair_tables_test {
 
 /// Five elements in a row, each bonded to the next.
 Specimen row() {
@@ -79,5 +78,4 @@ TEST(PairTables, conductors_that_are_the_bonds_take_no_memory_and_do_not_change_
   EXPECT_THROW(shared.touch_conductors(), std::logic_error);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::pair_tables_test

@@ -8,8 +8,7 @@
 
 #include "model/shape.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::polyhedron_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -160,5 +159,4 @@ TEST(Polyhedron, a_gaussian_over_the_tiles_of_a_plane_is_whole) {
   EXPECT_NEAR(gaussian_over({{0, 0, 0}, {a, 0, 0}, {a, a, 0}, {0, a, 0}}, {}, w) / exact, 1, 1e-9);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::polyhedron_test

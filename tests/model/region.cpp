@@ -5,8 +5,7 @@
 
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::region_test {
 
 Specimen row_of_five() {
   Specimen specimen;
@@ -65,5 +64,4 @@ TEST(Specimen, represented_mass_is_that_of_the_body) {
   EXPECT_NEAR(sum / (2790 * 5), 1, 1e-15);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::region_test

@@ -8,8 +8,7 @@
 
 #include "support/meshes.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::rigid_shape_test {
 
 std::vector<SurfacePoint> touching(const RigidShape& shape, const Vector& centre, double radius) {
   std::vector<SurfacePoint> found;
@@ -192,5 +191,4 @@ TEST(RigidShape, WhatIsDrawnOfASolidEnclosesItsVolume) {
     EXPECT_EQ(fault_of(mesh), "");
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::rigid_shape_test

@@ -5,8 +5,7 @@
 
 #include <map>
 
-namespace solidem {
-namespace {
+namespace solidem::slots_test {
 
 const std::vector<Pair> bonds = {{0, 1}, {0, 9}, {1, 2}, {1, 9}, {3, 10}, {8, 9}};
 
@@ -45,5 +44,4 @@ TEST(Slots, neighbours_come_in_increasing_order) {
   EXPECT_EQ(of_nine, (std::vector<int>{0, 1, 8}));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::slots_test

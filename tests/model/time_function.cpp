@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace solidem {
-namespace {
+namespace solidem::time_function_test {
 
 const TimeFunction ramp{{1.0, 3.0, 4.0}, {2.0, 6.0, 0.0}, 0, 0, 0};
 const TimeFunction wave{{0.0}, {0.5}, 2.0, 3.0, 0.7};
@@ -34,5 +33,4 @@ TEST(TimeFunction, rate_and_value_are_derivatives) {
     }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::time_function_test

@@ -7,8 +7,7 @@
 
 #include "support/meshes.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::triangle_mesh_test {
 
 TriangleMesh unit_box() {
   return test::box_mesh({0, 0, 0}, {1, 1, 1});
@@ -105,5 +104,4 @@ TEST(TriangleMesh, VerticesAtOnePlaceAreOne) {
   EXPECT_TRUE(is_closed(joined));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::triangle_mesh_test

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace solidem {
-namespace {
+namespace solidem::linked_cells_test {
 
 struct Cloud {
   CellBox box;
@@ -126,5 +125,4 @@ TEST(LinkedCells, ThreadsDoNotChangeTheResult) {
   omp_set_num_threads(threads);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::linked_cells_test

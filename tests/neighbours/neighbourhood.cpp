@@ -11,8 +11,7 @@
 #include <set>
 #include <tuple>
 
-namespace solidem {
-namespace {
+namespace solidem::neighbourhood_test {
 
 struct Cloud {
   Domain domain;
@@ -221,5 +220,4 @@ TEST(Image, keeps_its_periods) {
     }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::neighbourhood_test

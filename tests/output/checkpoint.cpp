@@ -8,8 +8,7 @@
 #include "conditions.hpp"
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::checkpoint_test {
 
 const CheckpointHeader header{123456789012, 1.0 / 3, "beams 5f3a", "run 7", {99, "abc"}, 3};
 const std::vector<double> position{0.1, -0.0, std::numeric_limits<double>::denorm_min(), 1e300};
@@ -177,5 +176,4 @@ TEST(Checkpoint, is_the_earlier_one_if_the_run_is_killed_while_writing) {
   EXPECT_EQ(directory.names(), std::vector<std::string>{"c.h5"});
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::checkpoint_test

@@ -7,8 +7,7 @@
 #include "conditions.hpp"
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::history_test {
 
 const std::vector<std::string> columns{"kinetic_energy", "grip.left.force_x"};
 
@@ -146,5 +145,4 @@ TEST(History, tells_that_the_device_is_full) {
             "cannot write /dev/full: No space left on device");
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::history_test

@@ -5,8 +5,7 @@
 
 #include "conditions.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::progress_test {
 
 using std::chrono::milliseconds;
 
@@ -91,5 +90,4 @@ TEST(ProgressBar, does_not_end_a_run_when_it_cannot_be_printed) {
   std::fclose(full);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::progress_test

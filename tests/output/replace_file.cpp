@@ -8,8 +8,7 @@
 #include "model/error.hpp"
 #include "output/disk.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::replace_file_test {
 
 TEST(ReplaceFile, holds_the_new_text_and_nothing_else_is_left) {
   const TemporaryDirectory directory;
@@ -119,5 +118,4 @@ TEST(ReplaceFile, tells_a_file_that_was_left_from_one_that_another_program_write
   EXPECT_EQ(directory.names(), std::vector<std::string>{"a.txt"});
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::replace_file_test

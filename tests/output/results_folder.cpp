@@ -4,8 +4,7 @@
 #include "conditions.hpp"
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::results_folder_test {
 
 void leave_results(const TemporaryDirectory& directory) {
   std::filesystem::create_directory(directory / "trajectory");
@@ -77,5 +76,4 @@ TEST(Identity, is_of_one_run_only) {
   EXPECT_EQ(new_identity().size(), 32u);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::results_folder_test

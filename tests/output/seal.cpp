@@ -6,8 +6,7 @@
 #include "output/digest.hpp"
 #include "output/hdf5.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::seal_test {
 
 TEST(Digest, is_that_of_the_standard) {
   // FIPS 180-4, examples of SHA-256.
@@ -71,5 +70,4 @@ TEST(Hdf5, links_lead_from_one_file_to_another_wherever_both_are) {
   EXPECT_EQ(all.group("frames/0").read<double>("x"), (std::vector<double>{1, 2}));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::seal_test

@@ -7,8 +7,7 @@
 #include "conditions.hpp"
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::summary_test {
 
 TEST(Summary, is_json_in_the_order_given) {
   const TemporaryDirectory directory;
@@ -65,5 +64,4 @@ TEST(Version, has_three_numbers) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '.'), 2) << text;
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::summary_test

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace solidem {
-namespace {
+namespace solidem::svg_plot_test {
 
 TEST(Ticks, AreRoundNumbersInsideTheAxis) {
   EXPECT_EQ(ticks({"", 0, 10}, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
@@ -76,5 +75,4 @@ TEST(Svg, ShowsPanelsCurvesAndWordsAndNoNumberThatIsNone) {
             2U);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::svg_plot_test

@@ -7,8 +7,7 @@
 #include "conditions.hpp"
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::trajectory_test {
 
 /// A chain of elements along x, one bond between each two.
 Specimen chain(int elements) {
@@ -257,5 +256,4 @@ TEST(Trajectory, that_cannot_start_leaves_the_earlier_one) {
             "cannot write /dev/full: it is not a regular file");
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::trajectory_test

@@ -8,8 +8,7 @@
 #include "effects/beam_parameters.hpp"
 #include "scene/body.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::anisotropy_test {
 
 const std::string wood = R"([specimen]
 shape = "box"
@@ -170,5 +169,4 @@ TEST(Anisotropy, FibresShorterThanBondsAreRefused) {
   EXPECT_THROW(make_body(scene), InputError);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::anisotropy_test

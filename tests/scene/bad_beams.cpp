@@ -3,8 +3,7 @@
 // Bad values and combinations in what bonds do.
 #include "bad_scene.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::bad_beams_test {
 
 class BadBeams : public testing::TestWithParam<BadScene> {};
 
@@ -154,5 +153,4 @@ const BadScene bad[] = {
 
 INSTANTIATE_TEST_SUITE_P(Value, BadBeams, testing::ValuesIn(bad), row_name);
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::bad_beams_test

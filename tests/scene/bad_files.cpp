@@ -3,8 +3,7 @@
 // Files that are no scene, and scenes whose parts do not go together.
 #include "bad_scene.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::bad_files_test {
 
 class BadFiles : public testing::TestWithParam<BadScene> {};
 
@@ -117,5 +116,4 @@ TEST(BadSceneFile, NotThereOrNotAFile) {
   }
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::bad_files_test

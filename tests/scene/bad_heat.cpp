@@ -3,8 +3,7 @@
 // Bad values and combinations in what heats a body.
 #include "bad_scene.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::bad_heat_test {
 
 class BadHeat : public testing::TestWithParam<BadScene> {};
 
@@ -211,5 +210,4 @@ const BadScene bad[] = {
 
 INSTANTIATE_TEST_SUITE_P(Value, BadHeat, testing::ValuesIn(bad), row_name);
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::bad_heat_test

@@ -3,8 +3,7 @@
 // Values of another kind than the key wants: a bare number, another unit, a table.
 #include "bad_scene.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::bad_kinds_test {
 
 class BadKinds : public testing::TestWithParam<BadScene> {};
 
@@ -129,5 +128,4 @@ const BadScene wrong_kinds[] = {
 
 INSTANTIATE_TEST_SUITE_P(Kind, BadKinds, testing::ValuesIn(wrong_kinds), row_name);
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::bad_kinds_test

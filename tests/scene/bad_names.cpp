@@ -3,8 +3,7 @@
 // Keys, sections and words that a scene does not know, or lacks.
 #include "bad_scene.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::bad_names_test {
 
 class BadNames : public testing::TestWithParam<BadScene> {};
 
@@ -175,5 +174,4 @@ const BadScene missing[] = {
 
 INSTANTIATE_TEST_SUITE_P(Missing, BadNames, testing::ValuesIn(missing), row_name);
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::bad_names_test

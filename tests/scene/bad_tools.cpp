@@ -7,8 +7,7 @@
 #include "scene/body.hpp"
 #include "scene/scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::bad_tools_test {
 
 const std::string body = R"toml([specimen]
 shape = "crystal"
@@ -110,5 +109,4 @@ TEST(BadTools, APeriodicBodyHasNone) {
                  replaced(body, "[material]", "periodic = [true, true, false]\n[material]"));
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::bad_tools_test

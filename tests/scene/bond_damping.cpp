@@ -13,8 +13,7 @@
 #include "scene/scene_text.hpp"
 #include "support/beams.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::bond_damping_test {
 
 const std::string material = R"toml([material]
 density = "2700 kg/m^3"
@@ -227,5 +226,4 @@ TEST(BondDamping, NeedsBeams) {
   EXPECT_NE(said.find("[beams]"), std::string::npos) << said;
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::bond_damping_test

@@ -8,8 +8,7 @@
 #include "effects/central_force_parameters.hpp"
 #include "effects/plan.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::central_forces_test {
 
 const std::string section = R"toml([central_forces]
 law = "piecewise"
@@ -310,5 +309,4 @@ TEST(CentralForcesPlan, asks_no_column_that_the_scene_does_not_name) {
   EXPECT_EQ(columns_of(replaced(bare, "[run]", "[damage]\nminimal_neighbours = 3\n[run]")), least);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::central_forces_test

@@ -14,8 +14,7 @@
 #include "scene/body.hpp"
 #include "scene/scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::effect_of_a_program_test {
 
 constexpr Dimension acceleration{"an acceleration", "m/s^2", "9.81 m/s^2"};
 constexpr Column fall_work{"fall_work",
@@ -186,5 +185,4 @@ TEST_F(EffectOfAProgram, ItsSectionIsReadAsStrictlyAsAnyOther) {
       << complaint(still);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::effect_of_a_program_test

@@ -5,8 +5,7 @@
 
 #include "scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::fingerprint_test {
 
 std::string fingerprint_of(const std::string& text) {
   return fingerprint(read_text_scene(text));
@@ -73,5 +72,4 @@ TEST(Fingerprint, TheDifferenceIsNamed) {
   EXPECT_EQ(first_difference(longer, original), "beams.radius_from = \"pair\", not given");
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::fingerprint_test

@@ -8,8 +8,7 @@
 
 #include "scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::fuzz_test {
 
 /// Words, numbers, strings and single signs, with the blanks between them.
 std::vector<std::string> tokens_of(const std::string& text) {
@@ -100,5 +99,4 @@ TEST(SceneFuzz, EndsWithASceneOrAnInputError) {
   EXPECT_GT(refused, trials / 2);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::fuzz_test

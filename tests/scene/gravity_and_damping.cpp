@@ -8,8 +8,7 @@
 #include "scene/body.hpp"
 #include "scene/scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::gravity_and_damping_test {
 
 const std::string crystal = R"toml([specimen]
 shape = "crystal"
@@ -184,5 +183,4 @@ TEST(Damping, IsRefusedWhereItMakesNoSense) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::gravity_and_damping_test

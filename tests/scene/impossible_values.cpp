@@ -3,8 +3,7 @@
 // Values that no body can have, or that contradict each other.
 #include "bad_scene.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::impossible_values_test {
 
 class ImpossibleValues : public testing::TestWithParam<BadScene> {};
 
@@ -241,5 +240,4 @@ const BadScene impossible[] = {
 
 INSTANTIATE_TEST_SUITE_P(Value, ImpossibleValues, testing::ValuesIn(impossible), row_name);
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::impossible_values_test

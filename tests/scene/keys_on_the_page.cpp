@@ -5,8 +5,7 @@
 #include "keys/key_table.hpp"
 #include "scene/scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::keys_on_the_page_test {
 
 TEST(KeysOnThePage, AreThoseThatTheReaderKnowsWithTheirDefaults) {
   const std::string page = file_text(SOLIDEM_SOURCE_DIR "/docs/scene.md");
@@ -30,5 +29,4 @@ TEST(KeysOnThePage, SayWhatEachIsUnlessItsNameSaysIt) {
     });
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::keys_on_the_page_test

@@ -9,8 +9,7 @@
 #include "scene/body.hpp"
 #include "scene/scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::mass_scaling_test {
 
 const std::string crystal = R"toml([specimen]
 shape = "crystal"
@@ -99,5 +98,4 @@ TEST(MassScaling, BelowTheTrueMassIsRefused) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::mass_scaling_test

@@ -9,8 +9,7 @@
 #include "keys/mesh_file.hpp"
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::mesh_files_test {
 
 class MeshFiles : public testing::Test {
  protected:
@@ -131,5 +130,4 @@ TEST_F(MeshFiles, AnOpenMeshIsNoBody) {
       << refused;
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::mesh_files_test

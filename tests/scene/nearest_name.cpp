@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidem {
-namespace {
+namespace solidem::nearest_name_test {
 
 TEST(NearestName, DistanceIsAMetricOnWords) {
   EXPECT_EQ(edit_distance("beams", "beams"), 0U);
@@ -24,5 +23,4 @@ TEST(NearestName, FindsSlipsAndAbbreviationsOnly) {
   EXPECT_EQ(nearest_name("", names), "");
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::nearest_name_test

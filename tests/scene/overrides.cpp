@@ -6,9 +6,7 @@
 #include "scene/fingerprint.hpp"
 #include "scene_text.hpp"
 
-namespace solidem::test {
-
-namespace {
+namespace solidem::test::overrides_test {
 
 Scene read_with(const std::vector<std::string>& set) {
   SceneSource source("bar.toml");
@@ -104,6 +102,4 @@ TEST(Overrides, leave_the_lines_of_the_file_in_its_own_messages) {
   }
 }
 
-}  // namespace
-
-}  // namespace solidem::test
+}  // namespace solidem::test::overrides_test

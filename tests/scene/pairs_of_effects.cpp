@@ -15,8 +15,7 @@
 #include "scene/body.hpp"
 #include "scene/scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::pairs_of_effects_test {
 
 constexpr int steps = 600, restart_at = 350;
 
@@ -225,5 +224,4 @@ TEST(KindsOfEffects, BringAnExampleThatTheyReadAndThatMakesThemAct) {
   }
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::pairs_of_effects_test

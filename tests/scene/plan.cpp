@@ -16,8 +16,7 @@
 
 #include "scene/body.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::plan_test {
 
 using Names = std::set<std::string>;
 
@@ -193,5 +192,4 @@ TEST(Plan, is_all_that_a_simulation_allocates) {
   EXPECT_EQ(columns, heat);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::plan_test

@@ -12,8 +12,7 @@
 #include "effects/initial_velocities.hpp"
 #include "scene_text.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::scene_values_test {
 
 using AxisKind = AxisControl::Kind;
 using RegionKind = Region::Kind;
@@ -259,5 +258,4 @@ TEST(Scene, laws_of_bonds_take_parameters_as_numbers_and_as_stresses) {
   EXPECT_EQ(scene.setup.get<RuptureParameters>()->minimal_bonds, 2);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::scene_values_test

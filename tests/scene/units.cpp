@@ -5,8 +5,7 @@
 
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::units_test {
 
 std::string complaint(const std::string& quantity, const Dimension& dimension) {
   try {
@@ -115,8 +114,7 @@ TEST(Units, SayNothingOnStandardError) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::units_test
 
 // UDUNITS loses a name of a few bytes when a unit ends in the middle ("m/("). The sanitizer's build
 // finds it; nothing here can free it.

@@ -9,8 +9,7 @@
 #include "model/error.hpp"
 #include "solve/bonded_bodies.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::finite_rotations_test {
 
 /// A cantilever of unit length under a force across its rest direction, k = P L² / EI, thin enough
 /// not to stretch: Bisshopp & Drucker, Q. Appl. Math. 3 (1945) 272.
@@ -132,5 +131,4 @@ TEST(FiniteRotations, PulledBodyNeedsTheWorkThatItStores) {
   EXPECT_NEAR(rate / force, 1, 1e-5);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::finite_rotations_test

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace solidem {
-namespace {
+namespace solidem::hardening_search_test {
 
 constexpr double young_modulus = 100e9;
 const std::vector<double> strains{0.005, 0.01, 0.02, 0.05, 0.1};
@@ -139,5 +138,4 @@ TEST(FlowCurve, is_straight_between_its_points_and_ends_with_them) {
   EXPECT_TRUE(std::isnan(stress_at(curve, 0.05)));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::hardening_search_test

@@ -8,8 +8,7 @@
 
 #include "heat_network.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::heat_balance_test {
 
 constexpr NamedIntegration integrations[] = {
     {"explicit", HeatIntegration::explicit_euler, 0},
@@ -151,5 +150,4 @@ TEST(HeatBalance, of_imposed_heat_is_the_heat_that_enters_there) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::heat_balance_test

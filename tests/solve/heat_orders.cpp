@@ -3,8 +3,7 @@
 
 #include "heat_network.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::heat_orders_test {
 
 /// Error at time 0.1 of a rod that starts as a cosine, in `steps` equal advances.
 double error_of(HeatIntegration choice, HeatNetwork network, const ExactNetwork& exact,
@@ -89,5 +88,4 @@ TEST(HeatOrder, finite_volumes_and_rkl2_reach_the_continuous_solution) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::heat_orders_test

@@ -5,8 +5,7 @@
 
 #include "heat_network.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::heat_stability_test {
 
 using Limits = double;  // step over the explicit limit
 
@@ -96,5 +95,4 @@ TEST(HeatStability, explicit_steps_hold_up_to_the_limit_and_not_beyond) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::heat_stability_test

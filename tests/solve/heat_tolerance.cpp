@@ -7,8 +7,7 @@
 #include "heat_network.hpp"
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::heat_tolerance_test {
 
 constexpr NamedIntegration adaptive[] = {{"rkl2", HeatIntegration::rkl2, 0},
                                          {"implicit", HeatIntegration::implicit, 0},
@@ -174,5 +173,4 @@ TEST(HeatTolerance, that_no_step_meets_ends_the_run) {
   EXPECT_THROW(integrator->advance(network, 0, 1, t.data(), heat.data()), RunError);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::heat_tolerance_test

@@ -9,8 +9,7 @@
 #include "model/error.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::orthotropic_calibration_test {
 
 std::vector<Specimen> cells(int count, const BeamParameters& beams) {
   std::vector<Specimen> specimens;
@@ -112,5 +111,4 @@ TEST(OrthotropicCalibration, RefusesWhatCannotBegin) {
   EXPECT_THROW(calibrate_orthotropic(request, beams, specimens), InputError);  // no grain
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::orthotropic_calibration_test

@@ -11,8 +11,7 @@
 #include "model/error.hpp"
 #include "support/specimens.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::orthotropic_constants_test {
 
 constexpr GrainAxes<double> axes_of_the_cell{{1, 0, 0}, {0, 1, 0}};
 
@@ -209,5 +208,4 @@ TEST(OrthotropicConstants, ComeBackFromTheirStiffness) {
   EXPECT_NEAR(young_modulus_along({std::cos(angle), 0, std::sin(angle)}, s), exact, 1e-9 * exact);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::orthotropic_constants_test

@@ -10,8 +10,7 @@
 
 #include "model/error.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::root_search_test {
 
 TEST(RootSearch, OfALineTakesTwoEvaluationsWhenTheSlopeIsKnown) {
   const RootSearch search = find_root([](double x) { return 3 - 2 * x; }, {-10, 10}, 0, -2, 1e-12);
@@ -72,5 +71,4 @@ TEST(RootSearch, RefusesAnEmptyRangeAndAStartOutside) {
   EXPECT_THROW(find_root(line, {-1, 1}, 2, 1, 1), InputError);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::root_search_test

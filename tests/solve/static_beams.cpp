@@ -7,8 +7,7 @@
 #include "model/error.hpp"
 #include "solve/bonded_bodies.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::static_beams_test {
 
 using Law = BeamParameters::Law;
 
@@ -125,5 +124,4 @@ TEST(StaticBeam, SpringsOutOfLineAreAMechanismAndSaidToBe) {
   EXPECT_ANY_THROW(small_equilibrium(row.network, held, {{middle, {1e-3, 1e-3, 0}, {}}}));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::static_beams_test

@@ -9,8 +9,7 @@
 #include "effects/grip_parameters.hpp"
 #include "solve/bonded_bodies.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::static_bodies_test {
 
 Equilibrium solve(const Specimen& specimen, const std::vector<Constraint>& constraints,
                   const std::vector<ElementLoad>& loads = {},
@@ -238,5 +237,4 @@ TEST(StaticBody, SlowRunSettlesOnTheEquilibrium) {
   EXPECT_NEAR(sum / count / force, 1, 0.1 * (high - low) / force);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::static_bodies_test

@@ -11,8 +11,7 @@
 #include "solve/bonded_bodies.hpp"
 #include "solve/statics/modes.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::vibrations_test {
 
 struct Masses {
   explicit Masses(const Specimen& specimen) : mass(represented_mass(specimen, {2790.0})) {
@@ -110,5 +109,4 @@ TEST(Vibrations, ARunSwingsAsTheLowestMode) {
   EXPECT_LT(norm(moved), 0.03 * amplitude);  // a thousandth of the frequency
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::vibrations_test

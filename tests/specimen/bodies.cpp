@@ -17,8 +17,7 @@
 #include "specimen/pieces.hpp"
 #include "specimen/specimen_file.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::bodies_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -189,5 +188,4 @@ TEST(Bodies, ComeBackFromAFile) {
     EXPECT_THROW(write_specimen(text, written), InputError) << text;
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::bodies_test

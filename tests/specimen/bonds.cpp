@@ -11,8 +11,7 @@
 #include "specimen/recipe.hpp"
 #include "specimen/report.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::bonds_test {
 
 // Spheres of radius 1 in a row at the given places.
 Specimen row(const std::vector<double>& places) {
@@ -141,5 +140,4 @@ TEST(Report, CountsWhatIsThere) {
   EXPECT_NE(format_report(specimen).find("walls are not known"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::bonds_test

@@ -7,8 +7,7 @@
 #include "specimen/bonds.hpp"
 #include "specimen/recipe.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::crystals_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -90,5 +89,4 @@ TEST(Crystal, RefusesPeriodsWithTwoImagesOfOneBond) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::crystals_test

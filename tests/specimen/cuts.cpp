@@ -18,8 +18,7 @@
 #include "specimen/tessellation.hpp"
 #include "support/meshes.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::cuts_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -308,5 +307,4 @@ TEST(Spheres, AreFilledByTheirCells) {
   EXPECT_NEAR(area, 4e-6 * pi, 1e-12 * 4e-6 * pi);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::cuts_test

@@ -18,8 +18,7 @@
 #include "specimen/recipe.hpp"
 #include "specimen/specimen_file.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::files_test {
 
 namespace fs = std::filesystem;
 
@@ -423,5 +422,4 @@ TEST_F(SpecimenFile, ImpossibleSpecimensAreNotWritten) {
   EXPECT_FALSE(fs::exists(path("a.h5")));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::files_test

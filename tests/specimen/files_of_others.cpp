@@ -15,8 +15,7 @@
 #include "specimen/text_formats.hpp"
 #include "specimen/walls.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::files_of_others_test {
 
 template <class Act>
 void expect_refusal(Act act, const std::vector<std::string>& texts) {
@@ -284,5 +283,4 @@ TEST(Pieces, TwoElementsInOnePlaceAreRefused) {
                  {"twice.csv", "elements 2 and 3", "(2, 0, 0) m"});
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::files_of_others_test

@@ -8,8 +8,7 @@
 
 #include "specimen/bonds.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::ordering_test {
 
 TEST(Ordering, HilbertCurveVisitsNeighbouringCellsOneAfterTheOther) {
   // The curve through the 16³ coarse cells of the 2^21 grid: successive cells share a face.
@@ -65,5 +64,4 @@ TEST(Ordering, KeepsElementsBondsAndSetsTogether) {
     }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::ordering_test

@@ -16,8 +16,7 @@
 #include "specimen/recipe.hpp"
 #include "specimen/shape.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::packings_test {
 
 SpecimenRecipe cube(std::int64_t elements) {
   SpecimenRecipe recipe;
@@ -314,5 +313,4 @@ TEST(Packing, RefusesIncompleteAndImpossibleRecipes) {
   expect_refusal(recipe, "take more elements");
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::packings_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidem {
-namespace {
+namespace solidem::quench_test {
 
 Domain box(double side) {
   Domain domain;
@@ -30,5 +29,4 @@ TEST(SoftSpheres, that_overlap_as_packings_do_are_left_alone) {
   EXPECT_EQ(spheres.separate_coinciding(), 0);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::quench_test

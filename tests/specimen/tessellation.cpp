@@ -14,8 +14,7 @@
 #include "specimen/crystal.hpp"
 #include "specimen/recipe.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::tessellation_test {
 
 Specimen crystal(const std::string& lattice, std::array<int, 3> cells, bool periodic,
                  double radius = 1.3e-4) {
@@ -393,5 +392,4 @@ TEST(Tessellation, NamesTheElementThatCanHaveNoCell) {
   expect_refusal(specimen, {"what shape its body has", "[specimen] shape"});
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::tessellation_test

@@ -11,8 +11,7 @@
 #include "effects/initial_velocities.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::any_number_of_threads_test {
 
 /// A bar hit at both ends so that it flows and breaks in many places at once, and closes again.
 Setup shattered(FlowLaw flow, BeamLaw law) {
@@ -95,5 +94,4 @@ TEST_P(BothEnds, of_a_bond_remember_the_same) {
 INSTANTIATE_TEST_SUITE_P(Laws, BothEnds,
                          testing::Values(FlowLaw::radial_return, FlowLaw::scaled_offset));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::any_number_of_threads_test

@@ -10,8 +10,7 @@
 #include "laws/bond_limit.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::bond_breaks_in_one_step_test {
 
 struct Mode {
   const char* name;
@@ -142,5 +141,4 @@ TEST(BreaksInOneStep, with_momentum_kept_and_energy_counted) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::bond_breaks_in_one_step_test

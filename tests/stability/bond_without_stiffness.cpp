@@ -9,8 +9,7 @@
 #include "laws/rigid_sphere.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::bond_without_stiffness_test {
 
 TEST(BondWithoutStiffness, has_no_load_and_no_energy) {
   const BeamRigidity<double> none{0, 0, 0, 0};
@@ -88,5 +87,4 @@ TEST(BondWithoutStiffness, that_is_broken_is_no_bond) {
   EXPECT_EQ(seen(*simulation, "elastic_energy"), 0);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::bond_without_stiffness_test

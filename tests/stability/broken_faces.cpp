@@ -8,8 +8,7 @@
 #include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::broken_faces_test {
 
 constexpr double stiffness = 3.5e12;
 
@@ -230,5 +229,4 @@ TEST(Rebonding, needs_its_pressure_and_makes_a_bond_free_of_load) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::broken_faces_test

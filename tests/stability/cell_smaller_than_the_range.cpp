@@ -7,8 +7,7 @@
 #include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::cell_smaller_than_the_range_test {
 
 /// `copies` of a cell of 2 × 2 × 2 elements along each axis, of which each copy is alike.
 Specimen cells(int copies) {
@@ -71,5 +70,4 @@ TEST_P(CellSmallerThanTheRange, moves_as_a_large_cell_does) {
 INSTANTIATE_TEST_SUITE_P(Equilibria, CellSmallerThanTheRange,
                          testing::Values(Equilibrium::initial, Equilibrium::radii));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::cell_smaller_than_the_range_test

@@ -10,8 +10,7 @@
 #include "laws/rigid_sphere.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::closed_elastic_cycle_test {
 
 constexpr double pi = 3.14159265358979323846;
 using Turn = Quaternion<double>;
@@ -133,5 +132,4 @@ TEST(ClosedCycle, of_a_body_led_by_grips_takes_no_work_in_any_order) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::closed_elastic_cycle_test

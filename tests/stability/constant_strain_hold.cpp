@@ -7,8 +7,7 @@
 #include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::constant_strain_hold_test {
 
 struct Case {
   const char* name;
@@ -64,5 +63,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"all modes, hardening", FlowLaw::radial_return, 0.01, mixed},
                     Case{"all modes, scaled offset", FlowLaw::scaled_offset, 0.01, mixed}));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::constant_strain_hold_test

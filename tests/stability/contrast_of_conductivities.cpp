@@ -8,8 +8,7 @@
 #include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::contrast_of_conductivities_test {
 
 class Contrast : public testing::TestWithParam<HeatIntegratorName> {};
 
@@ -52,5 +51,4 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Contrast,
                          testing::Values(HeatIntegratorName::implicit,
                                          HeatIntegratorName::automatic));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::contrast_of_conductivities_test

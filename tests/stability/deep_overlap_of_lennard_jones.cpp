@@ -8,8 +8,7 @@
 #include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::deep_overlap_of_lennard_jones_test {
 
 Setup pressed() {
   auto setup = central_setup(usual<LennardJones>(), 20);
@@ -66,5 +65,4 @@ TEST(DeepOverlapOfLennardJones, is_told) {
   EXPECT_FALSE(shallow.find<CentralForces>()->has_exceeded());
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::deep_overlap_of_lennard_jones_test

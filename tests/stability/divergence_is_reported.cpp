@@ -17,8 +17,7 @@
 #include "model/error.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::divergence_is_reported_test {
 
 struct Case {
   const char* name;
@@ -167,5 +166,4 @@ TEST(Divergence, of_one_element_among_many_is_reported_under_central_forces) {
   EXPECT_THROW(simulation.advance(256), RunError);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::divergence_is_reported_test

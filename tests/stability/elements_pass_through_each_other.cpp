@@ -7,8 +7,7 @@
 #include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::elements_pass_through_each_other_test {
 
 /// Two elements that fly at each other, `beside` radii off the axis.
 struct Passage {
@@ -74,5 +73,4 @@ TEST(ElementsPassThroughEachOther, not_when_they_are_too_slow) {
   EXPECT_GT(passage.nearest, 0.5);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::elements_pass_through_each_other_test

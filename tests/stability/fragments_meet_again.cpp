@@ -10,8 +10,7 @@
 #include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::fragments_meet_again_test {
 
 TEST(FragmentsMeetAgain, and_stick_or_rebound_with_momentum_and_energy) {
   auto setup = central_setup(usual<Piecewise>(), 1.3);
@@ -114,5 +113,4 @@ TEST(FragmentsMeetAgain, however_far_apart_they_hold_together_and_take_no_more_m
               1e-3 * std::fabs(seen(together, "potential_energy")));
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::fragments_meet_again_test

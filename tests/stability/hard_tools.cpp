@@ -13,8 +13,7 @@
 #include "support/beams.hpp"
 #include "support/meshes.hpp"
 
-namespace solidem::test {
-namespace {
+namespace solidem::test::hard_tools_test {
 
 Simulation simulate(const std::string& sections, Specimen specimen, double ratio = 0.1) {
   const Scene scene = read_text_scene(
@@ -131,5 +130,4 @@ TEST(HardTools, ATurningPinThatLeavesTheBodyBehindIsStillWhereItsAngleSays) {
   EXPECT_NEAR(norm(pose.position - Vector{0.6e-3, 0, 0}), 0, 1e-15);
 }
 
-}  // namespace
-}  // namespace solidem::test
+}  // namespace solidem::test::hard_tools_test

@@ -9,8 +9,7 @@
 #include "effects/initial_velocities.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::impact_of_two_blocks_test {
 
 constexpr double speed = 500;  // of each block, m/s
 
@@ -67,5 +66,4 @@ TEST(ImpactOfTwoBlocks, with_too_large_a_step_is_refused_or_reported) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::impact_of_two_blocks_test

@@ -10,8 +10,7 @@
 #include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::lonely_elements_in_conduction_test {
 
 /// A chain that ends in an element with one neighbour, and one far off with none.
 Specimen chain_and_hermit() {
@@ -66,5 +65,4 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(HeatIntegratorName::explicit_euler, HeatIntegratorName::rkl2,
                                      HeatIntegratorName::implicit, HeatIntegratorName::automatic)));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::lonely_elements_in_conduction_test

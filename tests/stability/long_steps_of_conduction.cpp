@@ -10,8 +10,7 @@
 #include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::long_steps_of_conduction_test {
 
 class LongSteps : public testing::TestWithParam<std::tuple<HeatLaw, HeatIntegratorName>> {};
 
@@ -52,5 +51,4 @@ INSTANTIATE_TEST_SUITE_P(Laws, LongSteps,
                                           testing::Values(HeatIntegratorName::rkl2,
                                                           HeatIntegratorName::implicit)));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::long_steps_of_conduction_test

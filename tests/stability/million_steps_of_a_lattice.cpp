@@ -7,8 +7,7 @@
 #include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::million_steps_of_a_lattice_test {
 
 TEST(MillionStepsOfALattice, lose_and_gain_no_energy) {
   auto setup = fixed_setup(usual<Mie>(), 5);
@@ -41,5 +40,4 @@ TEST(MillionStepsOfALattice, lose_and_gain_no_energy) {
   EXPECT_LT(worst[0], 0.02);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::million_steps_of_a_lattice_test

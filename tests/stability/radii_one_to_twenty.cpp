@@ -7,8 +7,7 @@
 #include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::radii_one_to_twenty_test {
 
 /// Two large elements that touch, and small ones on a sphere about each, just touching it.
 Specimen large_and_small() {
@@ -80,5 +79,4 @@ TEST(RadiiOneToTwenty, have_the_stable_step_of_the_smallest) {
   EXPECT_NEAR(simulation.time_step().bound, std::sqrt(smallest / 1.5e6), 1e-9 * 1e-6);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::radii_one_to_twenty_test

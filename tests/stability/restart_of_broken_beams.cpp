@@ -14,8 +14,7 @@
 #include "engine/run.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::restart_of_broken_beams_test {
 
 /// A bar that is drawn until it tears, then pushed back together.
 Setup torn_and_pushed(FlowLaw flow, bool rebonds, std::int64_t steps, double step) {
@@ -121,5 +120,4 @@ INSTANTIATE_TEST_SUITE_P(Laws, RestartOfBrokenBeams,
                                               true},
                                          Case{"scaled offset", FlowLaw::scaled_offset, false}));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::restart_of_broken_beams_test

@@ -10,8 +10,7 @@
 #include "model/error.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::step_limit_of_beams_test {
 
 /// Sets every element in a motion too small for any limit, which has a part of every mode; in
 /// single precision far above its round-off.
@@ -164,5 +163,4 @@ TEST(StepLimitOfBeams, counts_stiff_contacts) {
   EXPECT_LT(limit, 0.21 * of_bonds);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::step_limit_of_beams_test

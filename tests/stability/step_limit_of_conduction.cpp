@@ -7,8 +7,7 @@
 #include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::step_limit_of_conduction_test {
 
 class StepLimit : public testing::TestWithParam<HeatLaw> {};
 
@@ -52,5 +51,4 @@ INSTANTIATE_TEST_SUITE_P(Laws, StepLimit,
                          testing::Values(HeatLaw::platonic, HeatLaw::platonic_calibrated,
                                          HeatLaw::voronoi));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::step_limit_of_conduction_test

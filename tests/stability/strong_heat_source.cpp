@@ -8,8 +8,7 @@
 #include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::strong_heat_source_test {
 
 class StrongSource : public testing::TestWithParam<HeatIntegratorName> {};
 
@@ -56,5 +55,4 @@ INSTANTIATE_TEST_SUITE_P(Integrators, StrongSource,
                                          HeatIntegratorName::rkl2, HeatIntegratorName::implicit,
                                          HeatIntegratorName::automatic));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::strong_heat_source_test

@@ -9,8 +9,7 @@
 #include "effects/heat_load_parameters.hpp"
 #include "support/heat.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::sudden_heating_of_small_elements_test {
 
 Specimen small_packing() {
   SpecimenRecipe recipe;
@@ -55,5 +54,4 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(HeatIntegratorName::explicit_euler, HeatIntegratorName::rkl2,
                                      HeatIntegratorName::implicit, HeatIntegratorName::automatic)));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::sudden_heating_of_small_elements_test

@@ -7,8 +7,7 @@
 #include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::thousand_plastic_cycles_test {
 
 constexpr int cycles = 1000;
 constexpr double yield_strain = 2e-3;
@@ -169,5 +168,4 @@ TEST(ThousandPlasticCycles, of_a_body_flow_on_and_keep_their_books) {
   EXPECT_LT(balance, 0.01 * work);
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::thousand_plastic_cycles_test

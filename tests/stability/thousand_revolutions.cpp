@@ -8,8 +8,7 @@
 
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::thousand_revolutions_test {
 
 constexpr int revolutions = 1000;
 
@@ -136,5 +135,4 @@ TEST_P(ThousandRevolutionsAfterFlow, of_a_body_out_of_its_first_shape) {
 INSTANTIATE_TEST_SUITE_P(Laws, ThousandRevolutionsAfterFlow,
                          testing::Values(FlowLaw::radial_return, FlowLaw::scaled_offset));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::thousand_revolutions_test

@@ -10,8 +10,7 @@
 #include "effects/grip_parameters.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::torn_bar_test {
 
 struct Case {
   const char* name;
@@ -117,5 +116,4 @@ TEST(TornBar, that_tears_itself_keeps_its_momentum) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::torn_bar_test

@@ -8,8 +8,7 @@
 #include "effects/central_force_parameters.hpp"
 #include "support/central_forces.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::two_elements_at_one_place_test {
 
 TEST(TwoElementsAtOnePlace, are_refused_at_the_start) {
   std::vector<Vector> places = lattice({3, 3, 3});
@@ -86,5 +85,4 @@ TEST(TwoElementsAtOnePlace, by_a_head_on_flight_leave_it_again) {
   }
 }
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::two_elements_at_one_place_test

@@ -7,8 +7,7 @@
 #include "laws/beam_flow.hpp"
 #include "support/beams.hpp"
 
-namespace solidem {
-namespace {
+namespace solidem::yield_in_the_first_step_test {
 
 class YieldInTheFirstStep : public testing::TestWithParam<std::tuple<FlowLaw, BeamLaw>> {};
 
@@ -104,5 +103,4 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(FlowLaw::radial_return, FlowLaw::scaled_offset),
                      testing::Values(BeamLaw::euler_bernoulli, BeamLaw::timoshenko)));
 
-}  // namespace
-}  // namespace solidem
+}  // namespace solidem::yield_in_the_first_step_test
