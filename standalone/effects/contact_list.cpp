@@ -18,7 +18,7 @@ namespace solidem {
 namespace {
 
 constexpr double skin_of_radius = 0.3;  // mean radii
-constexpr std::size_t elements_a_block = 512;
+constexpr std::size_t elements_searched_a_block = 512;
 
 std::vector<std::int32_t> reachable(const Model& model) {
   const std::vector<int> bonds = model.slots().coordination();
@@ -87,12 +87,12 @@ bool ContactList::is_outdated() {
   if (outdated_) return true;
   // Two elements that move towards each other close the skin together.
   const double* pose = model_.data(columns::pose);
-  const std::size_t blocks = elements_.size() / elements_a_block + 1;
+  const std::size_t blocks = elements_.size() / elements_searched_a_block + 1;
   std::vector<double> farthest(blocks, 0.0);
   for_blocks(blocks, 16, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block) {
-      const std::size_t end = std::min(elements_.size(), (block + 1) * elements_a_block);
-      for (std::size_t k = block * elements_a_block; k < end; ++k) {
+      const std::size_t end = std::min(elements_.size(), (block + 1) * elements_searched_a_block);
+      for (std::size_t k = block * elements_searched_a_block; k < end; ++k) {
         const Vector away = position(pose, elements_[k]) - listed_at_[k];
         const double square = dot(away, away);
         // What is no number is far.

@@ -13,7 +13,7 @@ namespace solidem {
 
 namespace {
 
-constexpr double lasting_strain = 0.002;
+constexpr double proof_strain = 0.002;
 constexpr double fraction_left_at_rupture = 0.5;
 
 GripParameters grip(const char* name, const TensileBar& bar, bool high_side, double speed) {
@@ -79,7 +79,7 @@ double crossing(double before, double after) {
 TensionFigures figures_of(const std::vector<TensionPoint>& points, double young_modulus) {
   TensionFigures figures;
   const auto beyond = [&](const TensionPoint& p) {
-    return p.stress - young_modulus * (p.strain - lasting_strain);
+    return p.stress - young_modulus * (p.strain - proof_strain);
   };
   double peak = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -112,7 +112,7 @@ TensionCurve pull(const BondParameters& bonds, const Specimen& specimen, const T
                              find(row, "gauge.strain"), find(row, "gauge.stress")};
     curve.points.push_back(point);
     peak = std::max(peak, point.stress);
-    const bool is_broken = peak > 0 && simulation.step() > 0 && point.elongation > lasting_strain &&
+    const bool is_broken = peak > 0 && simulation.step() > 0 && point.elongation > proof_strain &&
                            point.stress < fraction_left_at_rupture * peak;
     if (is_broken || point.elongation >= test.longest_elongation ||
         point.strain >= test.longest_strain)

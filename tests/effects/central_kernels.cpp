@@ -22,13 +22,13 @@ constexpr double tolerance = 1e-12;
 struct Variant {
   CentralLaw law;
   bool dissipates, cracks, periodic;
-  Equilibrium equilibrium;
+  CentralEquilibrium equilibrium;
 };
 
 void PrintTo(const Variant& v, std::ostream* out) {
   *out << name_of(v.law) << (v.dissipates ? ", dissipation" : "") << (v.cracks ? ", cracks" : "")
        << (v.periodic ? ", periodic" : "")
-       << (v.equilibrium == Equilibrium::radii ? ", radii" : "");
+       << (v.equilibrium == CentralEquilibrium::radii ? ", radii" : "");
 }
 
 Setup setup_of(const Variant& variant) {
@@ -81,7 +81,7 @@ std::vector<std::vector<Neighbour>> neighbours_of(const Simulation& simulation,
             if (!(norm(now) < forces.range * radii)) continue;
             const double then = norm(specimen.position[j] - specimen.position[i] + shift);
             const bool known = then <= (1 + forces.bond_tolerance) * radii * (1 + 1e-12);
-            const bool remembered = known && forces.equilibrium == Equilibrium::initial;
+            const bool remembered = known && forces.equilibrium == CentralEquilibrium::initial;
             all[i].push_back({j, now, norm(now), remembered ? then : radii});
           }
   return all;
@@ -97,7 +97,7 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
   Model& model = simulation.model();
   const std::size_t count = model.elements();
   ASSERT_EQ(model.has(columns::image_shift), variant.periodic);
-  ASSERT_EQ(model.has(columns::rest_length), variant.equilibrium == Equilibrium::initial);
+  ASSERT_EQ(model.has(columns::rest_length), variant.equilibrium == CentralEquilibrium::initial);
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (std::size_t i = 0; i < count; ++i)
@@ -225,7 +225,8 @@ std::vector<Variant> variants() {
     for (const bool dissipates : {false, true})
       for (const bool cracks : {false, true})
         for (const bool periodic : {false, true})
-          for (const Equilibrium equilibrium : {Equilibrium::initial, Equilibrium::radii})
+          for (const CentralEquilibrium equilibrium :
+               {CentralEquilibrium::initial, CentralEquilibrium::radii})
             all.push_back({law, dissipates, cracks, periodic, equilibrium});
   return all;
 }

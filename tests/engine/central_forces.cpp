@@ -172,7 +172,8 @@ TimeFunction visits(const std::vector<double>& radii, double stay) {
 
 TEST(CentralForces, keep_the_initial_distance_when_a_pair_parts_and_meets_again) {
   const auto law = usual<Mie>();
-  for (const Equilibrium equilibrium : {Equilibrium::initial, Equilibrium::radii}) {
+  for (const CentralEquilibrium equilibrium :
+       {CentralEquilibrium::initial, CentralEquilibrium::radii}) {
     auto setup = central_setup(law, 1.5);
     setup.get<CentralForceParameters>()->equilibrium = equilibrium;
     setup.get<CentralForceParameters>()->bond_tolerance = 0;
@@ -183,7 +184,8 @@ TEST(CentralForces, keep_the_initial_distance_when_a_pair_parts_and_meets_again)
         elements_at({{0, 0, 0}, {1.9 * hand_radius, 0, 0}, {8 * hand_radius, 0, 0}});
     const auto still = TimeFunction::constant(0);
     const std::vector<double> stays = {0, 2, 4.2, 4.15, 0.05, 0, -0.05};
-    const double r = hand_radius, known = equilibrium == Equilibrium::initial ? 1.9 * r : 2 * r;
+    const double r = hand_radius,
+                 known = equilibrium == CentralEquilibrium::initial ? 1.9 * r : 2 * r;
     setup.all<GripParameters>() = {
         hold("low", between(-r, r)),
         hold("middle", between(r, 3 * r), {visits(stays, stay), still, still}),
@@ -225,7 +227,7 @@ TEST(CentralForces, reach_no_farther_than_the_range) {
   // Two elements whose attraction ends: what they do to each other a little before and after.
   for (const CentralLaw& law : usual_laws()) {
     auto setup = central_setup(law, 1.2);
-    setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
+    setup.get<CentralForceParameters>()->equilibrium = CentralEquilibrium::radii;
     setup.get<CentralForceParameters>()->bond_tolerance = 1;
     for (const double fraction : {1 - 1e-9, 1 + 1e-9}) {
       const Simulation simulation(setup, row_of(2, 2 * 1.2 * fraction), true);
@@ -242,7 +244,7 @@ TEST(CentralForces, reach_no_farther_than_the_range) {
 /// Two blocks that stand apart, the right one moved to a gap that follows a function.
 Setup blocks(const TimeFunction& gap, bool cracks) {
   auto setup = central_setup(usual<Piecewise>(), 1.3);
-  setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
+  setup.get<CentralForceParameters>()->equilibrium = CentralEquilibrium::radii;
   if (cracks) setup.get<DamageParameters>() = DamageParameters{0.3, 1000000, 0, 100};
   const auto still = TimeFunction::constant(0);
   setup.all<GripParameters>() = {hold("left", between(-1, 5e-4)),

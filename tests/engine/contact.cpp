@@ -38,7 +38,7 @@ solidem::Setup loose_setup(double friction, double restitution, double ratio = 0
   return setup;
 }
 
-Vector velocity_of(const Simulation& simulation, std::size_t element) {
+Vector column_velocity(const Simulation& simulation, std::size_t element) {
   return lanes_vector(simulation.model().data(columns::velocity),
                       Model::at(columns::velocity, element));
 }
@@ -68,7 +68,7 @@ TEST(LooseElements, part_with_the_restitution_of_the_scene_whatever_their_sizes)
       set_velocity(simulation, 0, {1.3, 0, 0});
       set_velocity(simulation, 1, {0.3, 0, 0});
       run_until_apart(simulation);
-      const double parts = velocity_of(simulation, 1).x - velocity_of(simulation, 0).x;
+      const double parts = column_velocity(simulation, 1).x - column_velocity(simulation, 0).x;
       const double rate =
           std::sqrt(stiffness * (1 / mass_of(simulation, 0) + 1 / mass_of(simulation, 1)));
       const double step = simulation.time_step().value * rate;
@@ -83,8 +83,9 @@ TEST(LooseElements, of_equal_size_hand_their_velocity_on_like_a_cradle) {
   Simulation simulation(loose_setup(0, 1, 0.02), spheres(places));
   set_velocity(simulation, 0, {1, 0, 0});
   for (int k = 0; k < 4; ++k) run_until_apart(simulation);
-  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(norm(velocity_of(simulation, k)), 0, 2e-4) << k;
-  EXPECT_NEAR(velocity_of(simulation, 4).x, 1, 2e-4);
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_NEAR(norm(column_velocity(simulation, k)), 0, 2e-4) << k;
+  EXPECT_NEAR(column_velocity(simulation, 4).x, 1, 2e-4);
 }
 
 /// A cloud of spheres that falls together, all turning.
@@ -164,7 +165,7 @@ TEST(LooseElements, are_the_same_to_the_last_bit_in_any_order) {
     set_spin(simulation, 0, spins[a]);
     set_spin(simulation, 1, spins[b]);
     run_until_apart(simulation);
-    ends[a] = {centre_of(simulation, a), centre_of(simulation, b), velocity_of(simulation, a)};
+    ends[a] = {centre_of(simulation, a), centre_of(simulation, b), column_velocity(simulation, a)};
   }
   for (std::size_t k = 0; k < ends[0].size(); ++k) {
     EXPECT_EQ(ends[0][k].x, ends[1][k].x);
@@ -186,7 +187,7 @@ TEST(LooseElements, meet_across_a_periodic_face_as_anywhere_else) {
     set_velocity(simulation, 0, {1, 0, 0});
     set_spin(simulation, 1, {0, 0, 3000});
     run_until_apart(simulation);
-    ends[across] = velocity_of(simulation, 1);
+    ends[across] = column_velocity(simulation, 1);
   }
   EXPECT_GT(ends[0].x, 0.3);
   EXPECT_LT(norm(ends[1] - ends[0]), 1e-9);
@@ -282,7 +283,7 @@ TEST(BondedBodies, that_meet_head_on_part_when_the_waves_are_back) {
   }
   EXPECT_NEAR(touched / (2 * elements * pass), 1, 0.02);
   double momentum = 0;
-  for (std::size_t i = 0; i < elements; ++i) momentum += velocity_of(simulation, i).x;
+  for (std::size_t i = 0; i < elements; ++i) momentum += column_velocity(simulation, i).x;
   EXPECT_NEAR(momentum / elements, -speed, 0.02 * speed);
   EXPECT_NEAR(seen(simulation, "energy_balance"), 0, 1e-5 * seen(simulation, "kinetic_energy"));
 }
@@ -302,7 +303,7 @@ TEST(BondedBodies, bear_contacts_a_million_times_stiffer_than_their_bonds) {
   double met = 0;
   for (int n = 0; n < 200; ++n) {
     simulation.advance(200);
-    met = std::max(met, velocity_of(simulation, 4).x);
+    met = std::max(met, column_velocity(simulation, 4).x);
   }
   EXPECT_GT(met, 0.9);  // thrown back by the contact alone
   EXPECT_NEAR(seen(simulation, "energy_balance"), 0, 1e-4 * start);

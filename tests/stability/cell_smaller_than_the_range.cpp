@@ -27,7 +27,7 @@ Specimen cells(int copies) {
   return body;
 }
 
-class CellSmallerThanTheRange : public testing::TestWithParam<Equilibrium> {};
+class CellSmallerThanTheRange : public testing::TestWithParam<CentralEquilibrium> {};
 
 TEST_P(CellSmallerThanTheRange, moves_as_a_large_cell_does) {
   // A range of 2.4 and 5 radii about a cell of 4.
@@ -68,6 +68,6 @@ TEST_P(CellSmallerThanTheRange, moves_as_a_large_cell_does) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Equilibria, CellSmallerThanTheRange,
-                         testing::Values(Equilibrium::initial, Equilibrium::radii));
+                         testing::Values(CentralEquilibrium::initial, CentralEquilibrium::radii));
 
 }  // namespace solidem::cell_smaller_than_the_range_test

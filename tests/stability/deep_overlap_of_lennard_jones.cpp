@@ -12,7 +12,7 @@ namespace solidem::deep_overlap_of_lennard_jones_test {
 
 Setup pressed() {
   auto setup = central_setup(usual<LennardJones>(), 20);
-  setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
+  setup.get<CentralForceParameters>()->equilibrium = CentralEquilibrium::radii;
   setup.get<CentralForceParameters>()->bond_tolerance = 0.5;
   setup.get<CentralForceParameters>()->interpenetration = 0.3;
   return setup;

@@ -19,7 +19,7 @@ struct Passage {
 Passage shoot(double beside, double step, double speed = 6000) {
   ShiftedLennardJones law{25, 1.3};
   auto setup = central_setup(law, 3);
-  setup.get<CentralForceParameters>()->equilibrium = Equilibrium::radii;
+  setup.get<CentralForceParameters>()->equilibrium = CentralEquilibrium::radii;
   setup.get<CentralForceParameters>()->interpenetration = 0.999;
   setup.run.time_step = step;
   const double r = hand_radius;

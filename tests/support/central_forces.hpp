@@ -21,7 +21,7 @@
 
 namespace solidem {
 
-using Equilibrium = CentralForceParameters::Equilibrium;
+using CentralEquilibrium = CentralForceParameters::Equilibrium;
 using Neighbours = CentralForceParameters::Neighbours;
 
 /// Parameters for elements of a tenth of a millimetre, for whatever law of the table it is.
