@@ -20,11 +20,13 @@ constexpr double inertia = 5e-3;
 /// Tests in a row that bring nothing, after which a search ends.
 constexpr std::size_t patience = 3;
 
-std::vector<double*> shape_of(LinearHardening& law) {
-  return {&law.yield_strain, &law.hardening_ratio};
-}
-std::vector<double*> shape_of(VoceHardening& law) {
-  return {&law.yield_strain, &law.saturation_strain, &law.plastic_scale};
+/// What a search may change: all that the law names and that is not 0.
+template <class Law>
+std::vector<double*> shape_of(Law& law) {
+  std::vector<double*> shape;
+  for (const auto& parameter : Law::parameters())
+    if (law.*parameter.member > 0) shape.push_back(&(law.*parameter.member));
+  return shape;
 }
 std::vector<double*> shape_of(JohnsonCook& law) {
   return {&law.yield_strain, &law.hardening_strain, &law.hardening_exponent};
@@ -33,7 +35,12 @@ std::vector<double*> shape_of(YieldLaw& any) {
   return std::visit([](auto& law) { return shape_of(law); }, any);
 }
 
-/// Parameters of a law that rises from one yield strain to another within a plastic strain.
+/// Parameters of a law that rises from one yield strain to another within a plastic strain; of a
+/// law that is not known here the yield strain alone.
+template <class Law>
+void start(Law& law, double first, double /*last*/, double /*plastic*/) {
+  law.yield_strain = first;
+}
 void start(LinearHardening& law, double first, double last, double plastic) {
   law.yield_strain = first;
   law.hardening_ratio = (last - first) / plastic;
