@@ -190,13 +190,19 @@ def test_ctrl_c_ends_a_run_in_order(solidem, tables, tmp_path):
     del tables["output"]
     (tmp_path / "bar.toml").write_text(solidem.toml_text({**tables, "output": {"frames": 0}}))
     for what, tells in (("scene.simulation().run()", ""), ("scene.run('run')", "run/checkpoint.h5")):
-        code = ("import solidem, sys\nscene = solidem.Scene('bar.toml')\nprint('ready', flush=True)\n"
+        # Ctrl-C counts even where whoever started the tests had it ignored.
+        code = ("import signal, solidem, sys\n"
+                "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+                "scene = solidem.Scene('bar.toml')\nprint('ready', flush=True)\n"
                 f"try:\n    {what}\nexcept KeyboardInterrupt:\n    sys.exit(7)\n")
         path = os.pathsep.join([str(solidem.__path__[0] + "/..")])
         with subprocess.Popen([sys.executable, "-c", code], cwd=tmp_path, stdout=subprocess.PIPE,
                               env={**os.environ, "PYTHONPATH": path}) as process:
-            assert process.stdout is not None and process.stdout.readline() == b"ready\n"
-            time.sleep(1.5)
-            process.send_signal(signal.SIGINT)
-            assert process.wait(timeout=60) == 7
+            try:
+                assert process.stdout is not None and process.stdout.readline() == b"ready\n"
+                time.sleep(1.5)
+                process.send_signal(signal.SIGINT)
+                assert process.wait(timeout=60) == 7
+            finally:
+                process.kill()
         assert not tells or (tmp_path / tells).exists()
