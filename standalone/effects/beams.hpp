@@ -11,6 +11,7 @@
 #include "effects/kernels/kernels.hpp"
 #include "effects/mechanics.hpp"
 #include "effects/setup.hpp"
+#include "laws/constants.hpp"
 
 namespace solidem {
 
@@ -100,7 +101,7 @@ class Beams : public Mechanics {
     double energy() const { return response.energy; }
     double rest_length() const { return beam.rest_length; }
     const BeamRigidity<double>& rigidity() const { return beam.rigidity; }
-    double section() const { return 3.14159265358979323846 * beam.radius * beam.radius; }  ///< m²
+    double section() const { return pi * beam.radius * beam.radius; }  ///< m²
   };
 
   /// The bond in a slot.

@@ -13,6 +13,7 @@
 #include "effects/free_motion.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "keys/rules.hpp"
+#include "laws/constants.hpp"
 #include "laws/linear_contact.hpp"
 #include "model/error.hpp"
 
@@ -70,7 +71,7 @@ std::vector<Key> contact_keys(ContactParameters& p, Reading& reading) {
 
 /// Volume of a sphere, m³.
 double ball(double radius) {
-  return 4.0 / 3 * 3.14159265358979323846 * radius * radius * radius;
+  return 4.0 / 3 * pi * radius * radius * radius;
 }
 
 /// The strain of a contact under the pressure at which it becomes a bond, of the softest beams; 0

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "effects/kernels/kernels.hpp"
+#include "laws/constants.hpp"
 #include "model/blocks.hpp"
 #include "neighbours/neighbourhood.hpp"
+#include "specimen/pieces.hpp"
 
 namespace solidem {
 
@@ -18,7 +19,7 @@ constexpr int directions = 400;
 /// Directions that are spread evenly: a spiral of the golden angle (Vogel 1979).
 std::vector<Vector> spread_directions() {
   std::vector<Vector> spread;
-  const double golden_angle = 3.14159265358979323846 * (3 - std::sqrt(5.0));
+  const double golden_angle = pi * (3 - std::sqrt(5.0));
   for (int k = 0; k < directions; ++k) {
     const double z = 1 - (2 * k + 1.0) / directions, r = std::sqrt(1 - z * z);
     spread.push_back({r * std::cos(k * golden_angle), r * std::sin(k * golden_angle), z});
@@ -79,20 +80,6 @@ bool is_exposed_in_a_gap(const std::vector<Obstacle>& around, double distance) {
   return false;
 }
 
-/// An element of the piece that bonds hold together, the same for all of the piece.
-std::vector<std::size_t> pieces_of(std::size_t elements, const std::vector<Pair>& bonds) {
-  std::vector<std::size_t> piece(elements);
-  std::iota(piece.begin(), piece.end(), std::size_t{0});
-  const auto root = [&](std::size_t element) {
-    while (piece[element] != element) element = piece[element] = piece[piece[element]];
-    return element;
-  };
-  for (const Pair& bond : bonds)
-    piece[root(static_cast<std::size_t>(bond.i))] = root(static_cast<std::size_t>(bond.j));
-  for (std::size_t i = 0; i < elements; ++i) piece[i] = root(i);
-  return piece;
-}
-
 }  // namespace
 
 std::vector<std::int32_t> surface_elements(const Specimen& specimen,
@@ -102,7 +89,7 @@ std::vector<std::int32_t> surface_elements(const Specimen& specimen,
   const Neighbourhood near = find_neighbours(specimen.domain, specimen.position, specimen.radius, 1,
                                              2 * probe, {}, kernels().pick_near);
   const std::vector<Vector> spread = spread_directions();
-  const std::vector<std::size_t> piece = pieces_of(specimen.size(), bonds);
+  const std::vector<std::int32_t> piece = lowest_of_piece(specimen.size(), bonds);
   std::vector<char> exposed(specimen.size(), 0);
   constexpr std::size_t least = 1000;  // elements: below, a second thread costs more than it saves
   for_blocks(specimen.size(), least, [&](std::size_t first, std::size_t last) {

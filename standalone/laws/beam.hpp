@@ -37,6 +37,7 @@
 #define SOLIDEM_LAWS_BEAM_HPP
 
 #include "laws/algebra.hpp"
+#include "laws/constants.hpp"
 
 namespace solidem {
 
@@ -60,7 +61,7 @@ struct BeamRigidity {
 /// S = pi r², m².
 template <class Real>
 constexpr Real beam_area(const BeamSection<Real>& section) {
-  return Real{3.14159265358979323846} * section.radius * section.radius;
+  return Real{pi} * section.radius * section.radius;
 }
 
 /// An Euler–Bernoulli beam of circular section: it does not shear.

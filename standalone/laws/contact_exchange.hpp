@@ -11,12 +11,13 @@
 
 #include <cmath>
 
+#include "laws/constants.hpp"
+
 namespace solidem {
 
 /// Area of the circle in which a sphere overlaps another or, where that has no curvature, a plane,
 /// m²; curvatures 1/R, 1/m.
 inline double overlap_area(double curvature, double other_curvature, double overlap) {
-  constexpr double pi = 3.14159265358979323846;
   return overlap > 0 ? 2 * pi * overlap / (curvature + other_curvature) : 0.0;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "effects/surface_elements.hpp"
+#include "laws/constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 
 namespace solidem::surface_elements_test {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = pi / 180;
 
 /// Two unit vectors across another.
 std::pair<Vector, Vector> across(const Vector& axis) {

@@ -10,6 +10,7 @@
 #include "effects/grip_parameters.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "effects/rupture.hpp"
+#include "laws/constants.hpp"
 #include "solve/statics/static_equilibrium.hpp"
 #include "support/thermomechanics.hpp"
 
@@ -178,7 +179,7 @@ TEST(HeatingWork, is_what_a_held_row_stores) {
   EXPECT_NEAR(value_of(row, "thermal_work"), stored, 1e-12 * stored);
   EXPECT_LE(std::fabs(value_of(row, "energy_balance")), 1e-12 * stored);
   const double radius = 0.27 * hand_radius;
-  const double rigidity = 3.5e12 * 3.14159265358979323846 * radius * radius;
+  const double rigidity = 3.5e12 * pi * radius * radius;
   const double expected = -rigidity * alpha * rise / (1 + alpha * rise);
   EXPECT_NEAR(value_of(row, "grip.right.force_x"), expected, 1e-9 * std::fabs(expected));
 }

@@ -8,14 +8,13 @@
 
 #include "effects/conduction_parameters.hpp"
 #include "effects/contact_conduction.hpp"
+#include "laws/constants.hpp"
 #include "scene/scene_text.hpp"
 #include "support/thermomechanics.hpp"
 
 namespace solidem::test::contact_conduction_test {
 
 constexpr int pressing = 420;  // steps, after which nothing moves any more
-constexpr double pi = 3.14159265358979323846;
-
 /// A grip on the k-th of the elements of a row, which moves so many times 0.4 m/s against x for 3
 /// us.
 std::string grip_of(int k, double speed) {

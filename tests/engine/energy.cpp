@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "laws/constants.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "support/specimens.hpp"
 
@@ -22,7 +23,6 @@ std::unique_ptr<Simulation> vibrating_bar(double ratio, double speed,
   double* velocity = model.data(columns::velocity);
   double* spin = model.data(columns::angular_velocity);
   const Vector size = model.specimen().domain.upper;
-  const double pi = 3.14159265358979323846;
   for (std::size_t i = 0; i < model.elements(); ++i) {
     const Vector p = model.specimen().position[i] - 0.5 * size;
     const double wave = std::sin(pi * p.x / size.x);

@@ -10,6 +10,7 @@
 #include "effects/beam_parameters.hpp"
 #include "effects/grip_parameters.hpp"
 #include "effects/initial_velocities.hpp"
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "support/beams.hpp"
 
@@ -23,7 +24,7 @@ std::unique_ptr<Simulation> struck_bar(Setup setup, double ratio, double speed) 
   const Vector size = model.specimen().domain.upper;
   for (std::size_t i = 0; i < model.elements(); ++i) {
     const Vector p = model.specimen().position[i] - 0.5 * size;
-    const double wave = std::sin(3.14159265358979323846 * p.x / size.x);
+    const double wave = std::sin(pi * p.x / size.x);
     set_velocity(
         *simulation, i,
         speed * Vector{wave, wave * wave - 0.5 * wave * p.z / size.z, 0.5 * wave * p.y / size.y});

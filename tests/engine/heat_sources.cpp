@@ -9,13 +9,13 @@
 #include "effects/conduction_parameters.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "engine/heat.hpp"
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "specimen/tessellation.hpp"
 #include "support/heat.hpp"
 
 namespace solidem::heat_sources_test {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double element = 2e-4;  // diameter in crystals of the tests, m
 
 Shape::Part part_of(Shape::Kind kind, double radius, const Vector& size = {}) {

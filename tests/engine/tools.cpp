@@ -9,14 +9,13 @@
 #include <numeric>
 
 #include "effects/tools.hpp"
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "scene/scene_text.hpp"
 #include "support/beams.hpp"
 #include "support/meshes.hpp"
 
 namespace solidem::test::tools_test {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// A scene whose specimen is made by hand; `law`: "spring" for elements that do not turn.
 Setup setup_with(const std::string& sections, const std::string& run = "time_step_ratio = 0.1",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "laws/beam.hpp"
+#include "laws/constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,6 @@ std::array<Real, 12> as_array(const Loads<Real>& p) {
 /// End loads of the linear beam (Terreros 2013, section 3.2, signs put right), from rotations
 /// against the chord.
 State linear_loads(const State& u) {
-  const double pi = 3.14159265358979323846;
   const double S = pi * r * r, I = pi * r * r * r * r / 4, I0 = 2 * I;
   const double stretch = u[3] - u[0];
   const double chord_y = -(u[5] - u[2]) / l, chord_z = (u[4] - u[1]) / l;  // turn of the chord
@@ -137,7 +137,7 @@ TEST(EulerBernoulliBeam, loads_are_the_gradient_of_the_energy) {
 }
 
 TEST(EulerBernoulliBeam, rigid_motion_of_any_size_gives_no_load) {
-  const double ES = E * 3.14159265358979323846 * r * r;
+  const double ES = E * pi * r * r;
   for (const double angle : {0.1, 1.0, 3.0, 40.0}) {
     const Vector axis{0.36 * angle, 0.48 * angle, 0.8 * angle};
     Quaternion<double> q;

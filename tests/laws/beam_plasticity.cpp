@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "laws/beam_flow.hpp"
+#include "laws/constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +87,7 @@ TEST(BeamPlasticity, stress_is_that_of_the_end_loads) {
   const Ends ends = moved(1e-6);
   const auto pose = beam_pose(ends.chord, rest_direction, ends.i, ends.j);
   const auto load = beam_load(beam().rigidity, l, pose);
-  const double pi = 3.14159265358979323846, S = pi * r * r, I = pi * r * r * r * r / 4;
+  const double S = pi * r * r, I = pi * r * r * r * r / 4;
   const Vector x = (1 / norm(ends.chord)) * ends.chord;
   const Vector difference = 0.5 * (load.moment_i - load.moment_j);
   const double torque = dot(difference, x);
@@ -99,7 +100,7 @@ TEST(BeamPlasticity, stress_is_that_of_the_end_loads) {
 }
 
 TEST(BeamPlasticity, uniaxial_curve_is_bilinear_and_unloads_with_the_elastic_slope) {
-  const double area = 3.14159265358979323846 * r * r;
+  const double area = pi * r * r;
   const auto stress_at = [&](double strain, const BeamHistory<double>& history) {
     return respond(history, {(l * (1 + strain)) * rest_direction, {}, {}});
   };
@@ -365,7 +366,7 @@ TEST(AssociatedFlow, is_normal_to_the_surface_of_the_resultants) {
   // Beyond the surface by tension, bending and twist, with something left of each.
   const Vector x = rest_direction;
   const Vector across = (1 / norm(cross(x, Vector{0, 0, 1}))) * cross(x, Vector{0, 0, 1});
-  const double area = 3.14159265358979323846 * r * r, inertia = area * r * r / 4;
+  const double area = pi * r * r, inertia = area * r * r / 4;
   for (const double bent : {0.011, 0.012}) {
     const Ends ends = strained(2e-3 * x, bent * across + 4e-3 * x, -bent * across - 4e-3 * x);
     const auto before = beam_pose(ends.chord, x, x, ends.i, ends.j);

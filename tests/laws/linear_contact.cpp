@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "laws/linear_contact.hpp"
+#include "laws/constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +82,7 @@ TEST(LinearContact, what_the_dashpot_takes_is_what_motion_loses) {
 
 TEST(LinearContact, the_damping_ratio_of_a_restitution_is_above_that_of_a_dashpot_that_pulls) {
   for (const double e : {0.01, 0.2, 0.6, 0.99}) {
-    const double pulls = -std::log(e) / std::hypot(3.14159265358979323846, std::log(e));
+    const double pulls = -std::log(e) / std::hypot(pi, std::log(e));
     EXPECT_GT(restitution_damping_ratio(e), pulls) << e;
   }
   EXPECT_NEAR(restitution_damping_ratio(std::exp(-2.0)), 1, 1e-7);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/polyhedron.hpp"
+#include "laws/constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include "model/shape.hpp"
 
 namespace solidem::polyhedron_test {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// A box from −1.5 to 1.5 cut into many solids by planes in all directions.
 std::vector<Polyhedron> pieces(int planes) {

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "engine/simulation.hpp"
+#include "laws/constants.hpp"
 #include "model/lane_vectors.hpp"
 #include "scene/body.hpp"
 #include "scene/scene_text.hpp"
@@ -49,7 +50,6 @@ double squared_frequency(bool shear) {
   const double length = 2 * hand_radius, radius = 4e-5, young = 70e9;
   const double mass = row_of(2).domain.volume * 2700 / 2;
   const double inertia = 0.4 * mass * hand_radius * hand_radius;
-  const double pi = 3.14159265358979323846;
   if (!shear) return young * pi * radius * radius / length * 2 / mass;
   return 12 * young * pi / 4 * std::pow(radius, 4) / length *
          (0.5 / inertia + 2 / (mass * length * length));
@@ -58,7 +58,7 @@ double squared_frequency(bool shear) {
 /// Largest departure from the exact decay in three turns, over the amplitude.
 double error_of_decay(bool shear, double ratio, int steps_a_turn) {
   const double omega = std::sqrt(squared_frequency(shear));
-  const double pi = 3.14159265358979323846, damped = omega * std::sqrt(1 - ratio * ratio);
+  const double damped = omega * std::sqrt(1 - ratio * ratio);
   const double step = 2 * pi / omega / steps_a_turn, speed = 1e-3, length = 2 * hand_radius;
   Simulation simulation = pair(
       ratio, shear ? R"(["0 m/s", "1 mm/s", "0 m/s"])" : R"(["1 mm/s", "0 m/s", "0 m/s"])", step);

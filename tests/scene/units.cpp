@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "keys/units.hpp"
+#include "laws/constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,7 @@ TEST(Units, ConvertToSi) {
   EXPECT_NEAR(to_si("60 rpm", dimension::angular_velocity), 6.283185307179586, 1e-14);
   EXPECT_EQ(to_si("60 rad/s", dimension::angular_velocity), 60);
   EXPECT_EQ(to_si("5 %", dimension::number), 0.05);
-  EXPECT_DOUBLE_EQ(to_si("180 degree", dimension::angle), 3.14159265358979323846);
+  EXPECT_DOUBLE_EQ(to_si("180 degree", dimension::angle), pi);
 }
 
 TEST(Units, AreReadAsTheyArePrinted) {

@@ -8,13 +8,12 @@
 #include <cmath>
 
 #include "effects/beam_parameters.hpp"
+#include "laws/constants.hpp"
 #include "model/region.hpp"
 #include "solve/statics/static_equilibrium.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem {
-
-constexpr double pi = 3.14159265358979323846;
 
 inline BeamParameters beam_parameters(
     BeamParameters::Law law = BeamParameters::Law::euler_bernoulli) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "solve/calibration/orthotropic_constants.hpp"
 #include "effects/beam_parameters.hpp"
+#include "laws/constants.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +68,7 @@ TEST(EffectiveStiffness, OfASimpleCubicLatticeIsExact) {
   // carries 12 E I / d³ times that, so G = 6 E I / d⁴.
   const Specimen cell = crystal("simple_cubic", {5, 5, 5}, {true, true, true});
   const BeamParameters beams = beams_of(0.4);
-  const double pi = 3.14159265358979323846, d = 2e-4, r = 0.4e-4;
+  const double d = 2e-4, r = 0.4e-4;
   const double area = pi * r * r, second = area * r * r / 4;
   const Matrix6 c = stiffness_of(beams, cell);
   for (std::size_t a = 0; a < 6; ++a)
@@ -86,7 +87,7 @@ TEST(EffectiveStiffness, OfFacesCentredSpringsFollowsCauchy) {
   BeamParameters beams = beams_of(0.4);
   beams.law = BeamParameters::Law::spring;
   beams.shear_modulus = 0;
-  const double pi = 3.14159265358979323846, d = 2e-4, r = 0.4e-4;
+  const double d = 2e-4, r = 0.4e-4;
   const double cube = std::sqrt(2.0) * d;  // edge, holds four elements and 24 springs
   const double scale = beams.young_modulus * pi * r * r * d / (cube * cube * cube);
   const Matrix6 c = stiffness_of(beams, cell);

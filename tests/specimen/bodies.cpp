@@ -2,6 +2,7 @@
 //
 // Several bodies as one specimen: places, bonds, masses, and bodies that stand in each other's way.
 #include "specimen/bodies.hpp"
+#include "laws/constants.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,8 +19,6 @@
 #include "specimen/specimen_file.hpp"
 
 namespace solidem::bodies_test {
-
-constexpr double pi = 3.14159265358979323846;
 
 BodyRecipe block(const std::string& name, const Vector& origin, std::array<int, 3> cells) {
   BodyRecipe body;

@@ -3,13 +3,12 @@
 
 #include <cmath>
 
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/recipe.hpp"
 
 namespace solidem::crystals_test {
-
-constexpr double pi = 3.14159265358979323846;
 
 SpecimenRecipe crystal(const std::string& lattice, std::array<int, 3> cells, bool periodic) {
   SpecimenRecipe recipe;

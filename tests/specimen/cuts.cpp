@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/mesh_walls.hpp"
@@ -19,8 +20,6 @@
 #include "support/meshes.hpp"
 
 namespace solidem::cuts_test {
-
-constexpr double pi = 3.14159265358979323846;
 
 Cut box_cut(const Vector& centre, const Vector& size) {
   Cut cut;

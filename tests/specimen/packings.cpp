@@ -10,6 +10,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "specimen/packing.hpp"
 #include "specimen/quench.hpp"
@@ -121,7 +122,7 @@ TEST(Packing, CylinderAlongEachAxis) {
     recipe.elements = 500;
     recipe.origin = {1e-3, 2e-3, 3e-3};
     const Specimen specimen = make_specimen(recipe);
-    EXPECT_DOUBLE_EQ(specimen.domain.volume, 3.14159265358979323846 * 0.04e-6 * 0.5e-3);
+    EXPECT_DOUBLE_EQ(specimen.domain.volume, pi * 0.04e-6 * 0.5e-3);
     EXPECT_NEAR(specimen.report.at("coordination_number"), 6.2, 0.1);
     for (std::size_t i = 0; i < specimen.size(); ++i) {
       Vector p = specimen.position[i] - recipe.origin;
@@ -176,7 +177,7 @@ void expect_compact_inside(const SpecimenRecipe& recipe, double sector) {
 }
 
 TEST(Packing, Annulus) {
-  expect_compact_inside(ring("annulus", "y"), 2 * 3.14159265358979323846);
+  expect_compact_inside(ring("annulus", "y"), 2 * pi);
 }
 
 TEST(Packing, WedgeAlongEachAxis) {

@@ -6,6 +6,7 @@
 
 #include "effects/beam_parameters.hpp"
 #include "effects/grip_parameters.hpp"
+#include "laws/constants.hpp"
 #include "support/beams.hpp"
 
 namespace solidem::broken_faces_test {
@@ -29,7 +30,7 @@ Setup led(const std::vector<double>& places, bool touches = true) {
   return setup;
 }
 
-const double section = 3.14159265358979323846 * std::pow(0.27 * hand_radius, 2);
+const double section = pi * std::pow(0.27 * hand_radius, 2);
 
 /// The force that the second grip pulls with after so many thousand steps.
 double pulled_with(Simulation& simulation, int thousands) {

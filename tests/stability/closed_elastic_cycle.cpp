@@ -7,12 +7,12 @@
 #include "effects/beam_parameters.hpp"
 #include "effects/grip_parameters.hpp"
 #include "laws/beam_plasticity.hpp"
+#include "laws/constants.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "support/beams.hpp"
 
 namespace solidem::closed_elastic_cycle_test {
 
-constexpr double pi = 3.14159265358979323846;
 using Turn = Quaternion<double>;
 
 /// An orientation and its angular velocity.

@@ -5,13 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "effects/grip_parameters.hpp"
+#include "laws/constants.hpp"
 #include "support/beams.hpp"
 
 namespace solidem::thousand_plastic_cycles_test {
 
 constexpr int cycles = 1000;
 constexpr double yield_strain = 2e-3;
-const double section = 3.14159265358979323846 * std::pow(0.27 * hand_radius, 2);
+const double section = pi * std::pow(0.27 * hand_radius, 2);
 constexpr double E = 3.5e12;
 
 /// Two elements, the second moved to and fro along a direction; its amplitude in lengths.

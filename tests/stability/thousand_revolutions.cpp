@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "laws/constants.hpp"
 #include "support/beams.hpp"
 
 namespace solidem::thousand_revolutions_test {
@@ -51,7 +52,7 @@ std::vector<double> lengths(const Simulation& simulation, const std::vector<Pair
 void turns_without_drift(Simulation& simulation, double omega, double of_momentum) {
   const std::vector<Pair> bonds = simulation.model().slots().pairs();
   const Momenta start = momenta_of(simulation);
-  const double turn_time = 2 * 3.14159265358979323846 / omega;
+  const double turn_time = 2 * pi / omega;
   const auto steps =
       static_cast<std::int64_t>(revolutions * turn_time / simulation.time_step().value);
   constexpr int looks = 2000, part = looks / 20;

@@ -15,6 +15,7 @@
 #include "effects/conduction_parameters.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "effects/plastic_heat.hpp"
+#include "laws/constants.hpp"
 #include "support/beams.hpp"
 #include "support/heat.hpp"
 
@@ -53,7 +54,7 @@ inline std::unique_ptr<Simulation> struck(const Setup& setup, const Specimen& sp
   const Vector size = model.specimen().domain.upper;
   for (std::size_t i = 0; i < model.elements(); ++i) {
     const Vector p = model.specimen().position[i] - 0.5 * size;
-    const double wave = std::sin(3.14159265358979323846 * p.x / size.x);
+    const double wave = std::sin(pi * p.x / size.x);
     set_velocity(
         *simulation, i,
         speed * Vector{wave, wave * wave - 0.5 * wave * p.z / size.z, 0.5 * wave * p.y / size.y});

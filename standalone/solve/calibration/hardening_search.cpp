@@ -17,6 +17,8 @@ namespace {
 constexpr double usual_gain = 2;
 /// Holds parameters where they are that the points of a curve do not tell.
 constexpr double inertia = 5e-3;
+/// Logarithm of a yield strain over another.
+constexpr double farther_than_any = 100;
 /// Tests in a row that bring nothing, after which a search ends.
 constexpr std::size_t patience = 3;
 
@@ -84,7 +86,12 @@ YieldLaw moved(YieldLaw law, const Eigen::VectorXd& to) {
   return law;
 }
 
-/// What a law misses, as Eigen's least squares ask for it.
+bool goes_together(const YieldLaw& any) {
+  return std::visit([](const auto& law) { return law.complaint() == nullptr; }, any);
+}
+
+/// What a law misses, as Eigen's least squares ask for it. Parameters that do not go together miss
+/// by more than any others.
 struct Misses {
   using Scalar = double;
   using InputType = Eigen::VectorXd;
@@ -102,6 +109,10 @@ struct Misses {
   int values() const { return static_cast<int>(plastic.size()) + inputs(); }
   int operator()(const Eigen::VectorXd& at, Eigen::VectorXd& misses) const {
     const YieldLaw trial = moved(law, at);
+    if (!goes_together(trial)) {
+      misses.setConstant(farther_than_any);
+      return 0;
+    }
     const auto count = static_cast<Eigen::Index>(plastic.size());
     for (std::size_t k = 0; k < plastic.size(); ++k)
       misses[static_cast<Eigen::Index>(k)] = std::log(yield_strain(trial, plastic[k]) / yield[k]);

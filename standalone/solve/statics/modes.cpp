@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "solve/statics/bonded_body.hpp"
 #include "solve/statics/stiffness_solver.hpp"
@@ -74,8 +75,8 @@ Mode mode_of(const Eigen::VectorXd& shape, double square, double residual, doubl
   const double scale = largest > 0 ? 1 / largest : 1;
   for (Vector& u : motion.displacement) u = scale * u;
   for (Vector& turn : motion.rotation) turn = scale * turn;
-  return {std::sqrt(std::max(square, 0.0)) / (2 * 3.14159265358979323846),
-          std::move(motion.displacement), std::move(motion.rotation), residual};
+  return {std::sqrt(std::max(square, 0.0)) / two_pi, std::move(motion.displacement),
+          std::move(motion.rotation), residual};
 }
 
 }  // namespace
