@@ -137,6 +137,35 @@ class Results:
                 body["bonds"] = file["bonds/pairs"][...]
         return body
 
+    def profile(self, field: str, axis: str, *, bins: int = 20,
+                frame: int = -1) -> tuple[Floats, Floats]:
+        """A field along an axis of the body at rest: the middle of each of so many slices, m, and the
+        mean of the elements whose centres lie in it, by their volumes; NaN where there are none.
+        `field`: a name that `view` knows, such as "temperature" or "stress_xx". Needs h5py."""
+        import h5py
+
+        from .fields import field_of
+
+        if axis not in ("x", "y", "z"):
+            raise InputError(f"axis {axis!r}: expected x, y or z")
+        if bins < 1:
+            raise InputError(f"bins {bins}: expected 1 or more")
+        with h5py.File(self._trajectory()) as file:
+            names = sorted(file["frames"])
+            if not -len(names) <= frame < len(names):
+                raise InputError(f"frame {frame}: none of this run; there are {len(names)}")
+            rest = file["elements/position"][:]
+            volume = file["elements/radius"][:] ** 3
+            pairs = file["bonds/pairs"][:] if "bonds/pairs" in file else np.empty((0, 2), int)
+            values = field_of(file["frames"][names[frame]], field, rest, pairs)
+        along = rest[:, "xyz".index(axis)]
+        edges = np.linspace(along.min(), along.max(), bins + 1)
+        slices = np.clip(np.searchsorted(edges, along, side="right") - 1, 0, bins - 1)
+        weight = np.bincount(slices, volume, bins)
+        with np.errstate(invalid="ignore"):
+            mean = np.bincount(slices, volume * values, bins) / weight
+        return 0.5 * (edges[1:] + edges[:-1]), mean
+
     def view(self, field: str | None = None, *, frame: int = -1, width: int = 900,
              **how: Any) -> Image.Image:
         """A picture of a frame (PIL, which notebooks show); needs h5py and matplotlib. `field`: what

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Pictures and films of what a run has written, without a display; needs h5py and matplotlib.
 
-    python3 -m solidem.view results/bar --field temperature
-    python3 -m solidem.view results/bar --field bonds/intact --film
+    solidem view results/bar --field temperature
+    solidem view results/bar --field bonds/intact --film
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from PIL import Image  # type: ignore[import]  # matplotlib writes its own pictures with it
 
 from ._core import InputError
+from .fields import COMPONENTS, field_of, place_of
 from .picture import Array, Facets, Picture
 
 TOOL_COLOUR = np.array([0.66, 0.70, 0.78])
@@ -47,6 +48,12 @@ LABELS = {
     "bonds/intact": ("share of an element's bonds that hold", 1.0),
     "bonds/stress": ("stress of an element's bonds, MPa", 1e-6),
     "bonds/plastic_strain": ("plastic strain of an element's bonds", 1.0),
+    "von_mises_stress": ("von Mises stress, MPa", 1e-6),
+    "mean_stress": ("mean stress, MPa", 1e-6),
+    "plastic_strain": ("plastic strain", 1.0),
+    "temperature_gradient": ("temperature gradient, K/mm", 1e-3),
+    **{f"stress_{of}": (f"stress {of}, MPa", 1e-6) for of in COMPONENTS[6]},
+    **{f"strain_{of}": (f"strain {of}", 1.0) for of in COMPONENTS[6]},
 }
 
 
@@ -87,45 +94,6 @@ class Shot:
     radius: Array
     values: Array
     tools: dict[str, tuple[Array, Facets]]
-
-
-def place_of(frame: Any, rest: Array) -> Array:
-    """Where the elements are; where nothing moves frames do not tell."""
-    return np.asarray(frame["position"][:]) if "position" in frame else rest
-
-
-def mean_of_bonds(values: Array, pairs: Facets, count: int) -> Array:
-    """Of each element over its bonds; 0 where it has none."""
-    ends = pairs.ravel()
-    bonds = np.bincount(ends, minlength=count)
-    return np.asarray(np.bincount(ends, np.repeat(values, 2), count) / np.maximum(bonds, 1))
-
-
-def fields_of(frame: Any, has_bonds: bool) -> list[str]:
-    """Names that a view may show of a frame."""
-    found = [name for name in frame if name not in ("bonds", "tools", "position", "velocity")]
-    if "position" in frame:
-        found += ["displacement", *(f"displacement_{axis}" for axis in "xyz")]
-    if "velocity" in frame:
-        found.append("speed")
-    if has_bonds and "bonds" in frame:
-        found += [f"bonds/{name}" for name in frame["bonds"]]
-    return sorted(found)
-
-
-def field_of(frame: Any, name: str, rest: Array, pairs: Facets) -> Array:
-    """A field of the elements, in SI units. InputError names those that there are."""
-    known = fields_of(frame, len(pairs) > 0)
-    if name not in known:
-        raise InputError(f"field {name}: none of this run; there are {', '.join(known)}")
-    if name == "speed":
-        return np.asarray(np.linalg.norm(frame["velocity"][:], axis=1))
-    if name.startswith("displacement"):
-        moved = place_of(frame, rest) - rest
-        return np.asarray(moved[:, "xyz".index(name[-1])] if "_" in name
-                          else np.linalg.norm(moved, axis=1))
-    values = np.asarray(frame[name][:], float)
-    return mean_of_bonds(values, pairs, len(rest)) if name.startswith("bonds/") else values
 
 
 def in_the_picture(view: View, rest: Array, pairs: Facets) -> NDArray[np.bool_]:
@@ -267,7 +235,7 @@ def usual_field(results: str | os.PathLike[str]) -> str:
 
 def arguments() -> argparse.ArgumentParser:
     """Of the command."""
-    parser = argparse.ArgumentParser(prog="python3 -m solidem.view",
+    parser = argparse.ArgumentParser(prog="solidem view",
                                      description="A picture or a film of a run, without a display.")
     add = parser.add_argument
     add("results", type=Path, help="folder of the run")

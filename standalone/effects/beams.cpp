@@ -393,9 +393,9 @@ void Beams::finish_move(Model& model) {
 void Beams::for_each_pair(const Model& model, const PairVisit& visit) const {
   const BeamMotion columns_now = columns_of(model);
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (i < j)
-      visit(i, rest_chord(model.specimen(), {i, j}),
-            bond(columns_now, i, j, row, lane).load().force);
+    if (i > j) return;
+    const BeamLoad<double> load = bond(columns_now, i, j, row, lane).load();
+    visit({i, j, rest_chord(model.specimen(), {i, j}), load.force, load.moment_i});
   });
 }
 

@@ -451,7 +451,8 @@ void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) co
       return row_vector(model.data(columns::position) + std::ptrdiff_t{4} * e) -
              model.specimen().position[static_cast<std::size_t>(e)];
     };
-    visit(i, pair->chord - (moved(j) - moved(i)), (-pair->push / pair->distance) * pair->chord);
+    const Vector force = (-pair->push / pair->distance) * pair->chord;
+    visit({i, j, pair->chord - (moved(j) - moved(i)), force, {}});
   });
   if (own_images_.empty()) return;
   for_each_own_image([&](std::size_t i, const Vector& chord, double equilibrium) {
@@ -462,7 +463,8 @@ void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) co
           return central_force(law, parameters_.interpenetration, distance, equilibrium).force;
         },
         parameters_.law);
-    visit(static_cast<std::int32_t>(i), chord, (-push / distance) * chord);
+    const auto element = static_cast<std::int32_t>(i);
+    visit({element, element, chord, (-push / distance) * chord, {}});
   });
 }
 

@@ -2,16 +2,16 @@
 #ifndef SOLIDEM_EFFECTS_MECHANICS_HPP
 #define SOLIDEM_EFFECTS_MECHANICS_HPP
 
-#include <functional>
 #include <vector>
 
 #include "effects/effect.hpp"
+#include "effects/pair_loads.hpp"
 
 namespace solidem {
 
 /// Forces between elements, and the motion under them: beams, or central forces. A scene has one of
 /// them.
-class Mechanics : public Effect {
+class Mechanics : public Effect, public ActsBetweenElements {
  public:
   /// Bounds on the time step from stiffness and inertia.
   std::vector<TimeStepCriterion> time_step_criteria(const Model& model) const override = 0;
@@ -38,12 +38,6 @@ class Mechanics : public Effect {
 
   /// Whether the forces can give more to motion than was put in: elements attract each other.
   virtual bool releases_energy() const { return false; }
-
-  /// Calls visit(i, chord, force on i) once for each pair that acts; the chord goes at rest from
-  /// the centre of i to that of the other, or to the very image of it that acts, m. An element and
-  /// its own image are a pair.
-  using PairVisit = std::function<void(std::int32_t, const Vector&, const Vector&)>;
-  virtual void for_each_pair(const Model& model, const PairVisit& visit) const = 0;
 
   /// Makes the new poses those that hold, once all that moves elements has acted.
   virtual void finish_move(Model& model) = 0;

@@ -41,6 +41,7 @@ struct RunControl {
 struct OutputControl {
   std::int64_t frames = 10;           ///< trajectory frames besides the first
   std::int64_t checkpoint_every = 0;  ///< steps; 0: only at the end and when interrupted
+  std::vector<std::string> fields;    ///< that frames show besides: engine/frame_fields.hpp
 };
 
 /// What is asked of each effect, by the type of its parameters: those of an effect that acts once

@@ -41,9 +41,10 @@ Vector GaugeSection::strains(const Model& model) const {
 void GaugeSection::observe(const Model& model, Observation& observation) const {
   const Specimen& specimen = model.specimen();
   double tension = 0;  // force times length along the axis
-  mechanics_.for_each_pair(model, [&](std::int32_t i, const Vector& chord, const Vector& force) {
-    const double from = component(specimen.position[static_cast<std::size_t>(i)], gauge_.axis);
-    const double along = component(chord, gauge_.axis), pull = component(force, gauge_.axis);
+  mechanics_.for_each_pair(model, [&](const PairLoad& pair) {
+    const double from = component(specimen.position[static_cast<std::size_t>(pair.i)], gauge_.axis);
+    const double along = component(pair.chord, gauge_.axis);
+    const double pull = component(pair.force, gauge_.axis);
     tension += (along > 0 ? pull : -pull) * length_inside(gauge_, specimen.domain, from, along);
   });
   const double stress = tension / (gauge_.upper - gauge_.lower) / cross_section_;

@@ -20,6 +20,7 @@
 #include "effects/kernels/kernels.hpp"
 #include "engine/body_figures.hpp"
 #include "engine/energy_gained.hpp"
+#include "engine/frame_fields.hpp"
 #include "engine/heat.hpp"
 #include "engine/interrupt_watch.hpp"
 #include "model/error.hpp"
@@ -126,6 +127,7 @@ class Recorder {
       : simulation_(simulation),
         options_(options),
         seconds_(options.wall_seconds),
+        fields_(simulation, simulation.setup().output.fields),
         watch_(options.interrupted, [this] { end_from_kept(); }) {
     prepare_directory(options.directory);
     // Bonds are drawn where they carry loads, those that have broken as well; without motion their
@@ -356,6 +358,9 @@ class Recorder {
     for (const auto& effect : simulation_.effects()) effect->show(model, frame);
     for (const Frame::Field& field : frame.fields())
       fields.push_back({field.name, 1, field.values.data(), field.of_bonds});
+    const std::vector<FrameFields::Values> asked_for = fields_.of_now(frame);
+    for (const FrameFields::Values& field : asked_for)
+      fields.push_back({field.name, field.components, field.values.data(), field.of_bonds});
     std::vector<DrawnSurface> surfaces;
     for (const Frame::Surface& surface : frame.surfaces())
       surfaces.push_back({surface.name, surface.vertices, surface.facets});
@@ -440,6 +445,7 @@ class Recorder {
   Simulation& simulation_;
   const RunOptions& options_;
   std::map<std::string, double> seconds_;
+  FrameFields fields_;       ///< that the scene asks frames for
   std::vector<Pair> bonds_;  ///< at the start, where they are drawn
   std::int64_t first_step_ = 0;
   HistoryRow last_row_{}, peak_row_{};

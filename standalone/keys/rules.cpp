@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -139,6 +140,24 @@ Rule path(std::string& target) {
             if (std::filesystem::is_directory(full, error)) value.refuse("a folder", expected);
             target = full.string();
             value.note("\"" + full.filename().string() + "\"");  // folders may move
+          }};
+}
+
+Rule words(std::vector<std::string>& target, const std::vector<std::string>& known) {
+  std::vector<std::string> quoted;
+  for (const std::string& word : known) quoted.push_back("\"" + word + "\"");
+  const std::string expected = "a list of any of " + join(quoted);
+  return {expected, [&target, known, expected](const Value& value) {
+            std::vector<std::string> read;
+            for (const Value& entry : value.entries(-1, expected)) {
+              const std::string word = read_text(entry, expected);
+              if (std::find(known.begin(), known.end(), word) == known.end())
+                entry.refuse("unknown" + did_you_mean(word, known), expected);
+              if (std::find(read.begin(), read.end(), word) != read.end())
+                entry.refuse("given twice", "each once");
+              read.push_back(word);
+            }
+            target = read;
           }};
 }
 

@@ -157,6 +157,9 @@ Rule choice(Target& target, const std::vector<std::pair<std::string, Target>>& w
           }};
 }
 
+/// Any of several words, each once.
+Rule words(std::vector<std::string>& target, const std::vector<std::string>& known);
+
 /// "x", "y" or "z" as 0, 1 or 2.
 inline Rule axis(int& target) {
   return choice<int>(target, {{"x", 0}, {"y", 1}, {"z", 2}});

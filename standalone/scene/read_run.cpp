@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "effects/effect_kind.hpp"
+#include "engine/frame_fields.hpp"
 #include "keys/rules.hpp"
 #include "scene/sections.hpp"
 
@@ -61,9 +62,14 @@ Rule run_section(RunControl& run) {
 }
 
 Rule output_section(OutputControl& output) {
-  return table([&output](const Section& section) {
+  std::vector<std::string> names;
+  for (const FieldName& field : frame_field_names()) names.push_back(field.name);
+  return table([&output, names](const Section& section) {
     section.read({may_have("frames", integer(output.frames, 0, 1000000)),
-                  may_have("checkpoint_every", integer(output.checkpoint_every, 0))});
+                  may_have("checkpoint_every", integer(output.checkpoint_every, 0)),
+                  may_have("fields", words(output.fields, names))});
+    if (!output.fields.empty() && output.frames == 0)
+      section.refuse("fields", "there are no frames to show them", "frames above 0");
   });
 }
 

@@ -14,9 +14,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = os.environ.get("SOLIDEM_PYTHON", str(ROOT / "build" / "release" / "python"))
+PROGRAM = os.environ.get("SOLIDEM_PROGRAM", str(ROOT / "build" / "release" / "solidem"))
 sys.path.insert(0, PACKAGES)
 from solidem.picture import Picture, blurred, view_axes  # noqa: E402
-from solidem.view import View, mean_of_bonds, paint, shots_of, write_film  # noqa: E402
+from solidem.fields import mean_of_bonds  # noqa: E402
+from solidem.view import View, paint, shots_of, write_film  # noqa: E402
 
 RED, BLUE, GREY = np.eye(3)[0], np.eye(3)[2], np.full(3, 0.5)
 BOX = np.array([[-2.0, -2.0, -2.0], [2.0, 2.0, 2.0]])
@@ -105,7 +107,8 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
            "grips": [{"name": side, "region": {"axis": "x", "side": side, "layers": 1},
                       "velocity": [speed, "free", "free"]}
                      for side, speed in (("low", "0 m/s"), ("high", "1 m/s"))],
-           "run": {"steps": 100}, "output": {"frames": 3}}
+           "run": {"steps": 100},
+           "output": {"frames": 3, "fields": ["stress", "temperature_gradient"]}}
     solidem.Scene(bar).run(folder)
     return folder
 
@@ -128,6 +131,32 @@ def test_fields_are_those_of_the_frames(run: Path) -> None:
     assert len(cold.values) == 72 - 4 * 9 and cold.values == pytest.approx(26.85)
 
 
+def test_fields_with_components_go_by_their_names(run: Path) -> None:
+    import solidem
+    last = solidem.Results(run).frames[-1]
+    shear = shots_of(run, View(field="stress_xz"), [-1])[0]
+    assert shear.values == pytest.approx(1e-6 * last["stress"][:, 2])
+    assert View(field="stress_xz").title == "stress xz, MPa"
+    slope = shots_of(run, View(field="temperature_gradient"), [-1])[0].values
+    assert slope == pytest.approx(1e-3 * np.linalg.norm(last["temperature_gradient"], axis=1))
+
+
+def test_a_profile_is_the_mean_of_slices(run: Path, solidem: ModuleType) -> None:
+    """Layers of equal spheres: each slice holds one, hot at the low end; empty ones are no number."""
+    results = solidem.Results(run)
+    place, mean = results.profile("temperature", "x", bins=3)
+    rest, last = results.rest["position"][:, 0], results.frames[-1]["temperature"]
+    edges = np.linspace(rest.min(), rest.max(), 4)
+    assert place == pytest.approx(0.5 * (edges[1:] + edges[:-1]))
+    assert mean[0] == pytest.approx(last[rest < edges[1]].mean())
+    assert mean[2] == pytest.approx(last[rest >= edges[2]].mean()) and mean[0] > mean[2]
+    assert np.isnan(results.profile("temperature", "x", bins=1000)[1]).any()
+    for words, said in ((("warmth", "x"), "field warmth: none of this run"),
+                        (("temperature", "r"), "expected x, y or z")):
+        with pytest.raises(solidem.InputError, match=said):
+            results.profile(*words)
+
+
 def test_a_picture_and_a_film_show_the_bar(run: Path, tmp_path: Path) -> None:
     """What is hot is where the colours say, and each frame is there."""
     from PIL import Image
@@ -142,8 +171,8 @@ def test_a_picture_and_a_film_show_the_bar(run: Path, tmp_path: Path) -> None:
 
 
 def view(*words: str | Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-m", "solidem.view", *map(str, words)], text=True,
-                          capture_output=True, check=False, env={"PYTHONPATH": PACKAGES})
+    return subprocess.run([PROGRAM, "view", *map(str, words)], text=True, capture_output=True,
+                          check=False)
 
 
 def test_the_command_says_what_it_made_or_what_there_is(run: Path, tmp_path: Path) -> None:
