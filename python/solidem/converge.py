@@ -2,8 +2,8 @@
 """Richardson extrapolation of any scene: what a figure tends to as bodies or steps are refined, at which
 order, how far each run is from it, and what each costs.
 
-    python3 -m solidem.converge tension.toml --of gauge.stress --elements 500,1000,2000 --seeds 3
-    python3 -m solidem.converge tension.toml --of gauge.stress --key run.time_step_ratio --values 0.8,0.4,0.2
+    solidem converge tension.toml --of gauge.stress --elements 500,1000,2000 --seeds 3
+    solidem converge tension.toml --of gauge.stress --key run.time_step_ratio --values 0.8,0.4,0.2
 """
 
 from __future__ import annotations
@@ -232,7 +232,7 @@ def numbers(text: str) -> list[float]:
 
 def main(words: Sequence[str] | None = None) -> int:
     """The command; 2 where something given cannot be used, 1 where a run cannot go on."""
-    parser = argparse.ArgumentParser(prog="python3 -m solidem.converge",
+    parser = argparse.ArgumentParser(prog="solidem converge",
                                      description="What a figure of a scene tends to.")
     add = parser.add_argument
     add("scene", type=Path)

@@ -5,6 +5,7 @@
 
 #include "app/build_details.hpp"
 #include "app/commands.hpp"
+#include "app/python_commands.hpp"
 #include "app/say.hpp"
 #include "keys/nearest_name.hpp"
 
@@ -238,6 +239,23 @@ void declare_keys(CLI::App& app, Action& chosen) {
       [](const Words& words) { return list_keys(words.section), 0; });
 }
 
+/// Their words, --help too, are read by Python.
+void declare_python(CLI::App& app, Action& chosen) {
+  for (const auto& [name, description] :
+       {std::pair("view",
+                  "Paint a picture or a film of a run, in Python; more by solidem view --help"),
+        std::pair("converge",
+                  "What a figure tends to as a scene gets finer, in Python; more by solidem "
+                  "converge --help")}) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->prefix_command();
+    command->set_help_flag();
+    command->callback([&chosen, command] {
+      chosen = [command]() -> int { call_python(command->get_name(), command->remaining()); };
+    });
+  }
+}
+
 void declare_help(CLI::App& app, Action& chosen) {
   struct None {};
   add<None>(
@@ -285,7 +303,7 @@ void declare_commands(CLI::App& app, Action& chosen) {
   app.require_subcommand(1);
   for (const auto& declare :
        {declare_run, declare_explain, declare_specimens, declare_calibrate, declare_constants,
-        declare_solve, declare_files, declare_laws, declare_keys, declare_help})
+        declare_solve, declare_files, declare_laws, declare_keys, declare_python, declare_help})
     declare(app, chosen);
 }
 

@@ -134,6 +134,18 @@ def on_terminal(solidem, *words: str, **environment: str) -> str:
     return shown.decode()
 
 
+def test_commands_in_python_tell_what_is_missing(solidem, tmp_path):
+    """As where there is no Python, and where its module is not installed."""
+    program = tmp_path / "solidem"  # beside which no module stands
+    shutil.copy(solidem.path, program)
+    (tmp_path / "empty").mkdir()
+    for path, said in ((tmp_path / "empty", "solidem view needs Python: python3 cannot be called"),
+                       ("/usr/bin:/bin", "solidem view needs Python's solidem")):
+        done = subprocess.run([program, "view", "results"], text=True, capture_output=True, check=False,
+                              env={"VIRTUAL_ENV": "/", "PATH": str(path)})
+        assert done.returncode == 1 and f"error: {said}" in done.stderr, done.stderr
+
+
 def test_colours_are_for_terminals_and_can_be_switched_off(solidem):
     coloured = on_terminal(solidem, "run", "missing.toml")
     assert "\x1b[" in coloured
@@ -171,6 +183,9 @@ def test_the_manual_knows_every_command_and_option(solidem):
         section = page.split(f".SS \\fBsolidem {' '.join(words)}\\fR")
         assert len(section) == 2, words
         text = section[1].split(".SS ")[0]
+        if words[0] in ("view", "converge"):  # whose words Python knows
+            assert f"solidem {words[0]} --help" in text
+            continue
         for option in re.findall(r"(?<![\w-])--[a-z-]+", solidem(*words, "--help").stdout):
             if option != "--help":
                 assert f"\\fB{option}\\fR" in text, (words, option)

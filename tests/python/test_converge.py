@@ -13,6 +13,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = os.environ.get("SOLIDEM_PYTHON", str(ROOT / "build" / "release" / "python"))
+PROGRAM = os.environ.get("SOLIDEM_PROGRAM", str(ROOT / "build" / "release" / "solidem"))
 sys.path.insert(0, PACKAGES)
 from solidem import InputError  # noqa: E402
 from solidem.converge import Level, converge, extrapolated  # noqa: E402
@@ -102,9 +103,8 @@ def test_the_command_goes_on_from_the_runs_that_are_there(tmp_path: Path) -> Non
     scene.write_text(HEAT)
 
     def command(*words: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run([sys.executable, "-m", "solidem.converge", scene, *words, "--output",
-                               tmp_path / "runs"], text=True, capture_output=True, check=False,
-                              env={"PYTHONPATH": PACKAGES})
+        return subprocess.run([PROGRAM, "converge", scene, *words, "--output", tmp_path / "runs"],
+                              text=True, capture_output=True, check=False)
 
     refined = ("--key", "run.time_step_ratio", "--values", "0.4,0.2,0.1")
     done = command("--of", "sensor.end.temperature", *refined)
