@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine/frame_fields.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+
 #include <Eigen/Eigenvalues>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "effects/mechanics.hpp"
@@ -120,7 +123,7 @@ Numbers principal_stresses(Scenery& scenery) {
   Numbers values;
   for (const Eigen::Matrix3d& tensor : scenery.stress()) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(tensor, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3d ascending = principal.eigenvalues();
+    const Eigen::Vector3d& ascending = principal.eigenvalues();
     values.insert(values.end(), {ascending(2), ascending(1), ascending(0)});
   }
   return values;
@@ -147,19 +150,23 @@ Numbers gradient_of_temperature(Scenery& scenery) {
   return values;
 }
 
-/// The mean of a quantity of the bonds that an element still has; 0 where it has none.
+/// What an effect shows of the bonds.
+const Numbers& shown_of_bonds(const Frame& frame, const std::string& name) {
+  for (const Frame::Field& field : frame.fields())
+    if (field.of_bonds && field.name == name) return field.values;
+  throw std::logic_error("no effect shows " + name);
+}
+
+/// The mean over the bonds that an element still has; 0 where it has none.
 Numbers plastic_strain(Scenery& scenery) {
-  const Numbers *of_bond = nullptr, *intact = nullptr;
-  for (const Frame::Field& field : scenery.frame().fields()) {
-    if (field.of_bonds && field.name == "plastic_strain") of_bond = &field.values;
-    if (field.of_bonds && field.name == "intact") intact = &field.values;
-  }
+  const Numbers& of_bond = shown_of_bonds(scenery.frame(), "plastic_strain");
+  const Numbers& intact = shown_of_bonds(scenery.frame(), "intact");
   Numbers sum(scenery.model().elements(), 0.0), count(sum);
   const std::vector<Pair>& pairs = scenery.frame().bonds();
   for (std::size_t bond = 0; bond < pairs.size(); ++bond) {
-    if ((*intact)[bond] == 0) continue;
+    if (intact[bond] == 0) continue;
     for (const std::int32_t element : {pairs[bond].i, pairs[bond].j}) {
-      sum[static_cast<std::size_t>(element)] += (*of_bond)[bond];
+      sum[static_cast<std::size_t>(element)] += of_bond[bond];
       count[static_cast<std::size_t>(element)] += 1;
     }
   }
@@ -298,7 +305,7 @@ FrameFields::FrameFields(const Simulation& simulation, std::vector<std::string> 
   for (const std::string& name : names_) {
     const std::string missing = kind_of(name).missing(simulation.model());
     if (!missing.empty())
-      throw InputError("[output] fields: \"" + name + "\" cannot be shown: " + missing);
+      throw InputError(fmt::format("[output] fields: \"{}\" cannot be shown: {}", name, missing));
   }
 }
 
