@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -285,7 +284,7 @@ class Recorder {
 
   /// A history that somebody moved away begins anew; one that lost rows is refused.
   void resume_history(const std::vector<std::string>& columns) {
-    if (std::error_code error; std::filesystem::exists(path("history.csv"), error)) {
+    if (is_there(path("history.csv"))) {
       history_.emplace(HistoryWriter::resume(path("history.csv"), columns, state_.history));
       return;
     }

@@ -135,9 +135,12 @@ Rule path(std::string& target) {
               value.refuse("not a path", expected);
             const auto full = std::filesystem::path(value.file()).parent_path() / given;
             std::error_code error;
-            if (!std::filesystem::exists(full, error))
+            const std::filesystem::file_status status = std::filesystem::status(full, error);
+            if (!std::filesystem::status_known(status))
+              value.refuse(full.string() + " cannot be looked at: " + error.message(), expected);
+            if (!std::filesystem::exists(status))
               value.refuse("no such file (" + full.string() + ")", expected);
-            if (std::filesystem::is_directory(full, error)) value.refuse("a folder", expected);
+            if (std::filesystem::is_directory(status)) value.refuse("a folder", expected);
             target = full.string();
             value.note("\"" + full.filename().string() + "\"");  // folders may move
           }};

@@ -16,9 +16,7 @@ constexpr int format_version = 2;
 
 /// Opens a file and insists that it is a checkpoint that this version reads.
 Hdf5File open_checkpoint(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    throw InputError(path + ": there is no checkpoint to resume from");
+  if (!is_there(path)) throw InputError(path + ": there is no checkpoint to resume from");
   Hdf5File file = Hdf5File::open(path, Seal::present);
   if (!file.has_attribute("format") || file.text_attribute("format") != format_name)
     throw InputError(path + ": is no checkpoint of solidem");

@@ -4,11 +4,11 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "model/error.hpp"
+#include "output/disk.hpp"
 #include "output/replace_file.hpp"
 #include "output/seal.hpp"
 
@@ -398,10 +398,8 @@ bool insist_on_seal(const std::string& path, Seal seal) {
 
 Hdf5File Hdf5File::open(const std::string& path, Seal seal) {
   prepare_library();
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
-  if (std::filesystem::is_directory(path, error))
-    throw InputError(path + ": is a directory, expected an HDF5 file");
+  if (!is_there(path)) throw InputError(path + ": there is no such file");
+  if (is_folder(path)) throw InputError(path + ": is a directory, expected an HDF5 file");
   const bool is_sealed = insist_on_seal(path, seal);
   const Handle file = owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, without_locks()), H5Fclose);
   if (*file >= 0) return {file, path, is_sealed};

@@ -8,11 +8,11 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
 #include <set>
 #include <string_view>
 
 #include "model/error.hpp"
+#include "output/disk.hpp"
 #include "output/read_file.hpp"
 #include "output/replace_file.hpp"
 
@@ -63,7 +63,7 @@ HistoryWriter HistoryWriter::resume(std::string path, const std::vector<std::str
   writer.path_ = std::move(path);
   writer.columns_ = columns.size();
   const std::string& name = writer.path_;
-  if (std::error_code error; !std::filesystem::exists(name, error))
+  if (!is_there(name))
     throw InputError(fmt::format("cannot resume the history {}: no such file", name));
 
   const std::string content = read_file(name), header = header_of(columns);

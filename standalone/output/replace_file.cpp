@@ -114,12 +114,14 @@ void replace_file(const std::string& path, const std::vector<std::string_view>& 
   insist_on_regular_file(path);
   const fs::path parent = fs::path(path).parent_path();
   std::error_code error;
-  if (!parent.empty() && !fs::is_directory(parent, error))
-    fail(path, "there is no directory " + parent.string());
+  const fs::file_status folder = fs::status(parent.empty() ? "." : parent, error);
+  if (!fs::status_known(folder)) fail(path, "its folder: " + error.message());
+  if (!fs::is_directory(folder)) fail(path, "there is no directory " + parent.string());
 
   // Links are followed, so that the file they lead to is replaced and not the link.
   const fs::path followed = fs::weakly_canonical(path, error);
-  NewFile file(error ? path : followed.string(), path);
+  if (error) fail(path, error.message());
+  NewFile file(followed.string(), path);
   for (const std::string_view part : parts) file.write(part);
   file.put_in_place();
 }

@@ -111,8 +111,7 @@ const std::vector<std::string>& run_results() {
 }
 
 void insist_on_new_file(const std::string& path, bool overwrite) {
-  std::error_code error;
-  if (!overwrite && fs::is_regular_file(path, error))
+  if (!overwrite && is_regular_file(path))
     throw InputError(path +
                      ": is there already; expected --overwrite to replace it, or another name");
 }

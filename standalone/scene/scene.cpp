@@ -8,6 +8,7 @@
 #include "effects/effect_kind.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"
+#include "output/disk.hpp"
 #include "output/read_file.hpp"
 #include "scene/overrides.hpp"
 #include "scene/sections.hpp"
@@ -17,11 +18,8 @@ namespace solidem {
 namespace {
 
 std::string scene_text(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    throw InputError(path + ": no such file; expected a scene file (TOML)");
-  if (std::filesystem::is_directory(path, error))
-    throw InputError(path + ": a folder; expected a scene file (TOML)");
+  if (!is_there(path)) throw InputError(path + ": no such file; expected a scene file (TOML)");
+  if (is_folder(path)) throw InputError(path + ": a folder; expected a scene file (TOML)");
   try {
     return read_file(path);
   } catch (const InputError& reason) {

@@ -7,6 +7,7 @@
 #include "laws/constants.hpp"
 #include "model/error.hpp"
 #include "neighbours/linked_cells.hpp"
+#include "specimen/long_bonds.hpp"
 #include "specimen/specimen_file.hpp"
 
 namespace solidem {
@@ -135,6 +136,12 @@ void check_specimen(const Specimen& specimen, const std::string& origin) {
     if (pair.i < 0 || pair.j <= pair.i || static_cast<std::size_t>(pair.j) >= n)
       throw InputError(fmt::format("{}: bond {} joins elements {} and {}: expected 0 <= i < j < {}",
                                    origin, b, pair.i, pair.j, n));
+    if (const double ratio = relative_length(specimen, pair);
+        specimen.bond_tolerance <= -1 && !(ratio <= longest_bond))
+      throw InputError(fmt::format(
+          "{}: the bond of elements {} and {} is {:.3g} times as long as the sum of their radii: "
+          "expected neighbours, at most {} times, or the tolerance that made the bonds",
+          origin, pair.i, pair.j, ratio, longest_bond));
     if (b > 0 && specimen.bonds[b - 1] == pair)
       throw InputError(
           fmt::format("{}: the bond of elements {} and {} is there twice", origin, pair.i, pair.j));

@@ -15,15 +15,13 @@
 #include "model/error.hpp"
 #include "specimen/atom_style.hpp"
 #include "specimen/body_lines.hpp"
+#include "specimen/long_bonds.hpp"
 #include "specimen/text_formats.hpp"
 #include "specimen/text_lines.hpp"
 
 namespace solidem {
 
 namespace {
-
-// Longer bonds, in sums of radii, join elements that are no neighbours.
-constexpr double longest_bond = 4;
 
 using Words = std::vector<std::string_view>;
 
@@ -267,15 +265,13 @@ class DataFile {
   }
 
   void check_length(const Specimen& specimen, Pair pair, std::int64_t a, std::int64_t b) const {
-    const double length = norm(rest_chord(specimen, pair));
-    const double radii = specimen.radius[static_cast<std::size_t>(pair.i)] +
-                         specimen.radius[static_cast<std::size_t>(pair.j)];
-    if (length <= longest_bond * radii) return;
+    const double ratio = relative_length(specimen, pair);
+    if (ratio <= longest_bond) return;
     throw InputError(fmt::format(
         "{}: the bond of atoms {} and {} is {:.4g} m long, {:.3g} times the sum of their radii: "
         "expected neighbours. Where the box is periodic a line \"# boundary p p p\" in the header "
         "(or the title) says so",
-        path_, a, b, length, length / radii));
+        path_, a, b, norm(rest_chord(specimen, pair)), ratio));
   }
 
   const std::string& path_;

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "specimen/long_bonds.hpp"
 #include "specimen/report.hpp"
 
 namespace solidem {
@@ -70,6 +71,7 @@ std::vector<std::string> notes_on(const Specimen& specimen, const std::vector<Pa
                     "from its cells, cut at the spheres, and it has no walls; [specimen] shape or "
                     "volume tells them",
                     specimen.domain.volume));
+  if (const auto note = note_on_long_bonds(specimen)) notes.push_back(*note);
   if (they_touch) return notes;
   const std::vector<std::int32_t> lowest = lowest_of_piece(specimen.size(), pairs);
   const std::vector<Piece> pieces = pieces_of(lowest);

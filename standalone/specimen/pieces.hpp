@@ -14,8 +14,9 @@ namespace solidem {
 std::vector<std::int32_t> lowest_of_piece(std::size_t elements, const std::vector<Pair>& pairs);
 
 /// What whoever uses a specimen ought to know, a sentence each: that its volume is an estimate,
-/// that elements have no bond, that there are several pieces. `pairs`: what joins elements.
-/// `they_touch`: what nothing joins touches, so that neither is worth a word.
+/// that bonds of a file are long, that elements have no bond, that there are several pieces.
+/// `pairs`: what joins elements. `they_touch`: what nothing joins touches, so that neither is worth
+/// a word.
 std::vector<std::string> notes_on(const Specimen& specimen, const std::vector<Pair>& pairs,
                                   bool they_touch = false);
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "model/error.hpp"
+#include "output/disk.hpp"
 #include "output/hdf5.hpp"
 #include "output/read_file.hpp"
 #include "output/replace_file.hpp"
@@ -250,9 +251,8 @@ void estimate_volume(Specimen& specimen) {
 }
 
 std::string read_text(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw InputError(path + ": there is no such file");
-  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": is a directory");
+  if (!is_there(path)) throw InputError(path + ": there is no such file");
+  if (is_folder(path)) throw InputError(path + ": is a directory");
   // A byte order mark, which some editors put before the text.
   std::string content = read_file(path);
   if (content.compare(0, 3, "\xEF\xBB\xBF") == 0) content.erase(0, 3);

@@ -7,6 +7,7 @@
 #include "conditions.hpp"
 #include "model/error.hpp"
 #include "output/disk.hpp"
+#include "output/results_folder.hpp"
 
 namespace solidem::replace_file_test {
 
@@ -70,6 +71,21 @@ TEST(ReplaceFile, tells_that_permission_is_missing) {
   std::filesystem::permissions(directory.string(), std::filesystem::perms(0755));
   EXPECT_EQ(message, "cannot write " + path + ": Permission denied");
   EXPECT_EQ(content_of(path), "good");
+}
+
+TEST(Disk, what_cannot_be_looked_at_is_not_what_is_not_there) {
+  const TemporaryDirectory directory;
+  replace_text_file(directory / "file", "x");
+  EXPECT_TRUE(is_there(directory / "file") && is_regular_file(directory / "file"));
+  EXPECT_TRUE(is_there(directory.string()) && is_folder(directory.string()));
+  EXPECT_FALSE(is_there(directory / "none"));
+  const std::string circle = directory / "circle";
+  std::filesystem::create_symlink("circle", circle);
+  const std::string why = " cannot be looked at (Too many levels of symbolic links)";
+  EXPECT_EQ(message_of<InputError>([&] { is_there(circle); }), circle + ":" + why);
+  EXPECT_EQ(message_of<InputError>([&] { insist_on_new_file(circle, false); }), circle + ":" + why);
+  EXPECT_EQ(message_of<RunError>([&] { replace_text_file(circle, "y"); }),
+            "cannot write " + circle + ": Too many levels of symbolic links");
 }
 
 TEST(PrepareDirectory, makes_it_with_those_above_and_leaves_it_empty) {

@@ -8,7 +8,8 @@
 //                     "tear": a write puts half of its bytes there, then SIGKILL (writes alone count)
 //   FAULTY_IO_LOG     where the number of calls is written at the end
 //
-// Counted are calls that open, read, write, sync, close, lock, name and remove files.
+// Counted are calls that look at, open, read, write, sync, close, lock, name and remove files and
+// folders.
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -123,8 +124,25 @@ OPEN_STREAM(fopen)
 OPEN_STREAM(fopen64)
 
 DIR* opendir(const char* path) {
-  if (concerns(path) && is_chosen()) return fails(EIO), NULL;
-  return NEXT(opendir)(path);
+  if (!concerns(path)) return NEXT(opendir)(path);
+  if (is_chosen()) return fails(EIO), NULL;
+  DIR* const folder = NEXT(opendir)(path);
+  if (folder) watch(dirfd(folder));
+  return folder;
+}
+
+#define READ_FOLDER(name, entry)                                                      \
+  struct entry* name(DIR* folder) {                                                  \
+    if (is_watched_descriptor(dirfd(folder)) && is_chosen()) return fails(EIO), NULL; \
+    return NEXT(name)(folder);                                                       \
+  }
+READ_FOLDER(readdir, dirent)
+READ_FOLDER(readdir64, dirent64)
+
+int closedir(DIR* folder) {
+  const int file = dirfd(folder);
+  if (file >= 0 && file < most_descriptors) is_watched[file] = 0;
+  return NEXT(closedir)(folder);
 }
 
 ssize_t write(int file, const void* bytes, size_t size) {
@@ -151,6 +169,10 @@ ON_DESCRIPTOR(int, fsync, EIO, (int file), file)
 ON_DESCRIPTOR(int, fdatasync, EIO, (int file), file)
 ON_DESCRIPTOR(int, ftruncate, EIO, (int file, off_t size), file, size)
 ON_DESCRIPTOR(int, ftruncate64, EIO, (int file, off64_t size), file, size)
+ON_DESCRIPTOR(off_t, lseek, EIO, (int file, off_t at, int from), file, at, from)
+ON_DESCRIPTOR(off64_t, lseek64, EIO, (int file, off64_t at, int from), file, at, from)
+ON_DESCRIPTOR(int, fstat, EIO, (int file, struct stat* s), file, s)
+ON_DESCRIPTOR(int, fstat64, EIO, (int file, struct stat64* s), file, s)
 ON_DESCRIPTOR(int, flock, ENOLCK, (int file, int how), file, how)
 
 /// A file is closed even where the call returns an error.
@@ -172,3 +194,30 @@ ON_PATH(unlink, (const char* path), path)
 ON_PATH(remove, (const char* path), path)
 ON_PATH(rmdir, (const char* path), path)
 ON_PATH(mkdir, (const char* path, mode_t mode), path, mode)
+ON_PATH(stat, (const char* path, struct stat* s), path, s)
+ON_PATH(stat64, (const char* path, struct stat64* s), path, s)
+ON_PATH(lstat, (const char* path, struct stat* s), path, s)
+ON_PATH(lstat64, (const char* path, struct stat64* s), path, s)
+ON_PATH(access, (const char* path, int mode), path, mode)
+ON_PATH(truncate, (const char* path, off_t size), path, size)
+
+ssize_t readlink(const char* path, char* target, size_t size) {
+  if (concerns(path) && is_chosen()) return fails(EIO);
+  return NEXT(readlink)(path, target, size);
+}
+
+char* realpath(const char* path, char* resolved) {
+  if (concerns(path) && is_chosen()) return fails(EIO), NULL;
+  return NEXT(realpath)(path, resolved);
+}
+
+#define AT_FOLDER(name, parameters, ...)                    \
+  int name parameters {                                    \
+    if (concerns(path) && is_chosen()) return fails(EIO);   \
+    return NEXT(name)(folder, path, __VA_ARGS__);          \
+  }
+AT_FOLDER(fstatat, (int folder, const char* path, struct stat* s, int how), s, how)
+AT_FOLDER(fstatat64, (int folder, const char* path, struct stat64* s, int how), s, how)
+AT_FOLDER(faccessat, (int folder, const char* path, int mode, int how), mode, how)
+AT_FOLDER(unlinkat, (int folder, const char* path, int how), how)
+AT_FOLDER(statx, (int folder, const char* path, int how, unsigned mask, struct statx* s), how, mask, s)

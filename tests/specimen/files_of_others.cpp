@@ -150,6 +150,40 @@ TEST(DataFiles, BondsAcrossPeriodicSides) {
   expect_refusal([&] { read_data(longer); }, {"atoms 3 and 1", "10 m long", "boundary p p p"});
 }
 
+/// Two elements of radius 1, so many times the sum of their radii apart, and bonded.
+Specimen stretched(double ratio) {
+  return read_data(fmt::format(
+      "title\n\n2 atoms\n1 bonds\n\nAtoms # sphere\n\n1 1 2 1 0 0 0\n2 1 2 1 {} 0 0\n\nBonds\n\n"
+      "1 1 1 2\n",
+      2 * ratio));
+}
+
+std::string notes_in_one(const Specimen& specimen) {
+  std::string all;
+  for (const std::string& note : notes_on(specimen, specimen.bonds)) all += note + "\n";
+  return all;
+}
+
+TEST(DataFiles, LongBondsAreTold) {
+  EXPECT_EQ(notes_in_one(stretched(1.5)).find("bonds are"), std::string::npos);
+  EXPECT_NE(notes_in_one(stretched(2.25))
+                .find("1 of 1 bonds are more than 1.5 times as long as the sum of their radii, the "
+                      "longest, of elements 0 and 1, 2.25 times"),
+            std::string::npos);
+  EXPECT_NO_THROW(stretched(3));
+  expect_refusal([] { stretched(3.01); }, {"atoms 1 and 2", "6.02 m long", "3.01 times"});
+  // Whoever says which tolerance made them means it.
+  Specimen told = stretched(2.25);
+  told.bond_tolerance = 1.25;
+  EXPECT_EQ(notes_in_one(told).find("bonds are"), std::string::npos);
+  told.position[1].x = 7;
+  told.domain.upper.x = 8;
+  EXPECT_NO_THROW(check_specimen(told, "here"));
+  told.bond_tolerance = -1;
+  expect_refusal([&] { check_specimen(told, "here"); },
+                 {"here: the bond of elements 0 and 1", "3.5 times"});
+}
+
 TEST(YadeFiles, ColumnsAndPeriods) {
   const auto read = [](const std::string& text) { return specimen_of_yade_text(text, "a.txt"); };
   const Specimen periodic = read("##PERIODIC:: 4 4 8\n#format x_y_z_r\n1 1 1 1\n3 1 1 1\n");
