@@ -212,8 +212,17 @@ void Simulation::choose_time_step(bool force) {
   choice.value = run.time_step.value_or(by_default);
   if (!std::isfinite(choice.value))
     throw InputError(
-        "[run] nothing bounds the time step: the specimen has no bonds. Give time_step, "
-        "or a larger [bonds] tolerance");
+        model_.slots().bonds() > 0
+            ? "[run] nothing bounds the time step: the stiffness of the bonds is next to nothing "
+              "beside the mass of the elements. Give time_step, or look at the units of the "
+              "material and of the bonds"
+            : "[run] nothing bounds the time step: the specimen has no bonds. Give time_step, "
+              "or a larger [bonds] tolerance");
+  if (!(choice.value > 0))
+    throw InputError(
+        "[run] the time step would be " + text(choice.value) +
+        " s: the stiffness of the bonds, or the mass of the elements, is no number that can be "
+        "counted with; look at the units of the material and of the bonds");
   choice.ratio = choice.value / choice.bound;
   if (choice.value > choice.limit && !force)
     throw InputError("[run] time step " + text(choice.value) + " s is beyond the stable limit " +

@@ -12,7 +12,7 @@
 
 namespace solidem {
 
-std::string read_file(const std::string& path) {
+std::string read_file(const std::string& path, std::size_t most) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   const auto fail = [&] {
     throw InputError(path + ": cannot be read (" + std::strerror(errno) + ")");
@@ -23,10 +23,10 @@ std::string read_file(const std::string& path) {
   while (true) {
     const ssize_t count = ::read(file.get(), piece.data(), piece.size());
     if (count == 0) return content;
-    if (count > 0)
-      content.append(piece.data(), static_cast<std::size_t>(count));
-    else if (errno != EINTR)
-      fail();
+    if (count > 0) content.append(piece.data(), static_cast<std::size_t>(count));
+    if (content.size() > most)
+      throw InputError(path + ": more than " + std::to_string(most) + " bytes");
+    if (count < 0 && errno != EINTR) fail();
   }
 }
 

@@ -20,8 +20,9 @@ namespace {
 std::string scene_text(const std::string& path) {
   if (!is_there(path)) throw InputError(path + ": no such file; expected a scene file (TOML)");
   if (is_folder(path)) throw InputError(path + ": a folder; expected a scene file (TOML)");
+  constexpr std::size_t most_bytes = std::size_t{1} << 26;
   try {
-    return read_file(path);
+    return read_file(path, most_bytes);
   } catch (const InputError& reason) {
     throw InputError(std::string(reason.what()) +
                      "; expected a scene file (TOML) with read permission");

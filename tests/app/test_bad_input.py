@@ -62,6 +62,21 @@ def test_a_scene_that_is_not_there(solidem):
     assert done.returncode == 2 and "nowhere.toml" in done.stderr
 
 
+def test_a_scene_without_an_end(solidem):
+    done = solidem("explain", "/dev/zero")
+    assert done.returncode == 2
+    assert "/dev/zero: more than 67108864 bytes; expected a scene file" in done.stderr
+
+
+def test_stiffness_that_is_no_number_is_told(solidem, bar):
+    """It is not said that bonds are missing, nor that something diverged."""
+    for modulus, words in (("1e-320 Pa", "stiffness of the bonds is next to nothing"),
+                           ("1e308 Pa", "the time step would be 0 s: the stiffness of the bonds")):
+        done = solidem("explain", solidem.scene("bar.toml", bar), "--set", f'beams.young_modulus="{modulus}"')
+        assert done.returncode == 2
+        assert words in done.stderr
+
+
 def test_a_specimen_file_cut_short(solidem, bar):
     recipe = bar[bar.index("[specimen]"):bar.index("[material]")]
     assert solidem("specimen", solidem.scene("bar.toml", bar), "-o", "bar.h5").returncode == 0

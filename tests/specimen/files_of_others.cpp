@@ -147,7 +147,7 @@ TEST(DataFiles, BondsAcrossPeriodicSides) {
   }
   std::string longer = fmt::format(fmt::runtime(ring), "", "", "", "");
   longer.replace(longer.find("1 5 5\n"), 6, "-5 5 5\n");
-  expect_refusal([&] { read_data(longer); }, {"atoms 3 and 1", "10 m long", "boundary p p p"});
+  expect_refusal([&] { read_data(longer); }, {"atoms 1 and 2", "8 m long", "boundary p p p"});
 }
 
 /// Two elements of radius 1, so many times the sum of their radii apart, and bonded.
