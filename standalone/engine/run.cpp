@@ -149,6 +149,7 @@ class Recorder {
     const std::int64_t checkpoint_every = counts.checkpoint_every;
     const FrameSteps frame_steps(frames, last);
     open();
+    tell_what_is_beyond(last);
     if (!options_.resume) {
       write_row();
       if (frames > 0) write_frame();
@@ -280,6 +281,17 @@ class Recorder {
       history_.emplace(path("history.csv"), columns);
       if (has_frames) trajectory_.emplace(path("trajectory.h5"), specimen, state_.run);
     }
+  }
+
+  /// A scene may have become shorter than the run from which it goes on.
+  void tell_what_is_beyond(std::int64_t last) {
+    const std::optional<double>& duration = simulation_.setup().run.duration;
+    constexpr double round_off = 1e-9;
+    if (first_step_ <= last && simulation_.time() <= duration.value_or(1e300) * (1 + round_off))
+      return;
+    note("the checkpoint is of step " + std::to_string(first_step_) + ", " +
+         text(simulation_.time()) + " s, beyond the end that the scene asks for: nothing is left " +
+         "to compute");
   }
 
   /// A history that somebody moved away begins anew; one that lost rows is refused.

@@ -241,6 +241,10 @@ void Simulation::check_number_of_steps() const {
   const RunControl& run = setup_.run;
   const double steps =
       run.steps ? static_cast<double>(*run.steps) : run.duration.value_or(0) / time_step_.value;
+  if (run.duration && steps <= 2 * same_length)
+    throw InputError("[run] duration = " + text(*run.duration) +
+                     " s: next to nothing beside a step of " + text(time_step_.value) +
+                     " s; expected a longer one");
   if (steps <= most_steps) return;
   throw InputError((run.steps ? "[run] steps = " + std::to_string(*run.steps)
                               : "[run] duration = " + text(*run.duration) + " s takes " +

@@ -77,6 +77,28 @@ def test_stiffness_that_is_no_number_is_told(solidem, bar):
         assert words in done.stderr
 
 
+def test_a_duration_of_no_step(solidem, bar):
+    text = bar.replace("steps = 2000", 'duration = "1e-300 s"')
+    done = solidem("run", solidem.scene("bar.toml", text), "-o", "out")
+    assert done.returncode == 2
+    assert "[run] duration = 1e-300 s: next to nothing beside a step of" in done.stderr
+
+
+def test_going_on_from_beyond_the_end_is_told(solidem, bar):
+    """Whether the end is a number of steps or a time."""
+    def run(end: str, *words: str):
+        text = bar.replace("steps = 2000", end)
+        return solidem("run", solidem.scene("bar.toml", text), "-o", "out", "-q", *words)
+
+    assert run("steps = 40").returncode == 0
+    for end in ("steps = 30", 'duration = "30 ns"'):
+        done = run(end, "--resume")
+        assert done.returncode == 0
+        assert "note: the checkpoint is of step 40, " in done.stderr
+        assert "beyond the end that the scene asks for" in done.stderr
+    assert "beyond" not in run("steps = 50", "--resume").stderr
+
+
 def test_a_specimen_file_cut_short(solidem, bar):
     recipe = bar[bar.index("[specimen]"):bar.index("[material]")]
     assert solidem("specimen", solidem.scene("bar.toml", bar), "-o", "bar.h5").returncode == 0
