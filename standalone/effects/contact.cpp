@@ -9,10 +9,8 @@
 #include <string>
 
 #include "effects/beam_parameters.hpp"
-#include "effects/push.hpp"
 #include "effects/selections.hpp"
 #include "laws/contact.hpp"
-#include "model/blocks.hpp"
 #include "model/error.hpp"
 #include "specimen/pieces.hpp"
 
@@ -20,7 +18,6 @@ namespace solidem {
 
 namespace {
 
-constexpr std::size_t contacts_a_block = 512, elements_a_block = 256;
 constexpr double round_off = 1e-9;  // of the radii: not an overlap
 
 /// From the first to the second, or the nearest of its images.
@@ -35,11 +32,6 @@ Vector nearest_chord(const Model& model, Pair pair) {
       component(chord, axis) -= component(extent, axis) *
                                 std::nearbyint(component(chord, axis) / component(extent, axis));
   return chord;
-}
-
-/// Where the elements stood before they moved.
-const double* poses_before(Model& model) {
-  return model.has(columns::last_pose) ? model.data(columns::last_pose) : model.next(columns::pose);
 }
 
 }  // namespace
@@ -161,6 +153,10 @@ void ElementContacts::list_contacts() {
   history_.clear();
   load_.clear();
   acts_.clear();
+  const std::size_t likely = history.size() + history.size() / 8 + lanes;
+  history_.reserve(likely);
+  load_.reserve(likely);
+  acts_.reserve(likely);
   const auto enter = [this](const History& past, const Load& last, char act) {
     history_.push_back(past);
     load_.push_back(last);
@@ -172,102 +168,7 @@ void ElementContacts::list_contacts() {
         return candidate(pair, chord, is_new);
       },
       [&](std::size_t then) { enter(history[then], load[then], acts[then]); });
-}
-
-void ElementContacts::fill_rows(double time_step) {
-  if (rows_.size() == 0) rows_ = Buffer<double>(8 * model_.elements());
-  const double* velocity = model_.data(columns::velocity);
-  const double* spin = has_rotation_ ? model_.data(columns::angular_velocity) : nullptr;
-  const double* inverse = model_.data(columns::inverse_mass);
-  const double *pose = model_.data(columns::pose), *before = poses_before(model_);
-  const std::vector<double>& radius = model_.specimen().radius;
-  const std::vector<std::int32_t>& elements = list_.elements();
-  for_blocks(elements.size() / elements_a_block + 1, 8, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first * elements_a_block;
-         n < std::min(elements.size(), last * elements_a_block); ++n) {
-      const auto i = static_cast<std::size_t>(elements[n]);
-      const std::size_t at = Model::at(columns::velocity, i);
-      Vector v = lanes_vector(velocity, at);
-      if (!imposed_.empty() && time_step > 0)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          if ((imposed_[i] >> axis & 1) != 0)
-            component(v, static_cast<int>(axis)) =
-                (pose[8 * i + axis] - before[8 * i + axis]) / time_step;
-      const Vector w = spin != nullptr ? lanes_vector(spin, at) : Vector{};
-      const double row[] = {v.x, v.y, v.z, inverse_mass(inverse, elements[n]),
-                            w.x, w.y, w.z, radius[i]};
-      std::copy_n(row, 8, rows_.data() + 8 * i);
-    }
-  });
-}
-
-void ElementContacts::find_force(const Motion& motion, std::size_t k, Sums& sums) {
-  const ContactCandidate& candidate = list_.candidates()[k];
-  const Vector to = list_.chord(motion.pose, candidate);
-  const double square = dot(to, to);
-  const bool touches = square < candidate.distance * candidate.distance;
-  if (!touches && acts_[k] == 0) return;
-  const double* row_i = motion.rows + std::ptrdiff_t{8} * candidate.pair.i;
-  const double* row_j = motion.rows + std::ptrdiff_t{8} * candidate.pair.j;
-  const double length = std::sqrt(square + tiny_square<double>);
-  const Vector normal = (1 / length) * to;
-  const double arm_i = 0.5 * (length + row_i[7] - row_j[7]),
-               arm_j = 0.5 * (length + row_j[7] - row_i[7]);
-  const Vector spin_i{row_i[4], row_i[5], row_i[6]}, spin_j{row_j[4], row_j[5], row_j[6]};
-  const Vector velocity_i = Vector{row_i[0], row_i[1], row_i[2]} + arm_i * cross(spin_i, normal);
-  const Vector velocity_j = Vector{row_j[0], row_j[1], row_j[2]} - arm_j * cross(spin_j, normal);
-  const ContactResponse<double> response = linear_contact<double>(
-      {candidate.stiffness, law_.tangential_stiffness_ratio * candidate.stiffness, law_.friction,
-       candidate.damping, row_i[3] + row_j[3]},
-      {normal, candidate.distance - length, velocity_j - velocity_i,
-       0.5 * dot(spin_i + spin_j, normal), motion.time_step},
-      history_[k]);
-  static_cast<ContactHistory<double>&>(history_[k]) = response.history;
-  load_[k] = {response.force, cross(normal, response.force), arm_i, arm_j};
-  acts_[k] = touches ? 1 : 0;
-  sums.friction += response.friction_work;
-  sums.damped += response.damping_work;
-  if (heat_ != nullptr) lost_[k] = heat_->of(response.friction_work, response.damping_work);
-  if (touches) ++sums.acting;
-}
-
-void ElementContacts::find_forces(double time_step) {
-  fill_rows(time_step);
-  const Motion motion{model_.data(columns::pose), rows_.data(), time_step};
-  const std::size_t blocks = acts_.size() / contacts_a_block + 1;
-  std::vector<Sums> parts(blocks);
-  if (heat_ != nullptr) lost_.assign(acts_.size(), 0.0);
-  for_blocks(blocks, 4, [&](std::size_t first, std::size_t last) {
-    for (std::size_t block = first; block < last; ++block) {
-      Sums sums;
-      const std::size_t end = std::min(acts_.size(), (block + 1) * contacts_a_block);
-      for (std::size_t k = block * contacts_a_block; k < end; ++k) find_force(motion, k, sums);
-      parts[block] = sums;
-    }
-  });
-  acting_ = 0;
-  for (const Sums& part : parts) {
-    friction_ += part.friction;
-    damped_ += part.damped;
-    acting_ += part.acting;
-  }
-  if (heat_ != nullptr) warm_elements();
-}
-
-void ElementContacts::warm_elements() {
-  double* heat = model_.data(columns::friction_heat);
-  const std::vector<std::int32_t>& elements = list_.elements();
-  for_blocks(elements.size() / elements_a_block + 1, 8, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first * elements_a_block;
-         n < std::min(elements.size(), last * elements_a_block); ++n) {
-      const std::int32_t element = elements[n];
-      list_.for_each_side(n, [&](const ContactList::Side& side) {
-        const Pair& pair = list_.candidates()[side.candidate].pair;
-        heat[element] +=
-            heat_->share(element, side.is_first ? pair.j : pair.i) * lost_[side.candidate];
-      });
-    }
-  });
+  acts_.resize(acts_.size() + lanes, 0);
 }
 
 void ElementContacts::look(const Step& step) {
@@ -284,19 +185,8 @@ BeamLoad<double> ElementContacts::load(std::size_t k) const {
   return {load.force, load.arm_i * load.moment, load.arm_j * load.moment};
 }
 
-BeamLoad<double> ElementContacts::sum_on(std::size_t exposed) const {
-  BeamLoad<double> sum{};
-  list_.for_each_side(exposed, [&](const ContactList::Side& side) {
-    if (acts_[side.candidate] == 0) return;
-    const Load& load = load_[side.candidate];
-    sum.force += side.is_first ? load.force : -load.force;
-    sum.moment_i += (side.is_first ? load.arm_i : load.arm_j) * load.moment;
-  });
-  return sum;
-}
-
 double ElementContacts::stored(std::size_t k) const {
-  const ContactCandidate& candidate = list_.candidates()[k];
+  const ContactCandidate candidate = list_.candidates()[k];
   const double depth = overlap(k);
   const Vector& spring = history_[k].spring;
   return 0.5 * candidate.stiffness *
@@ -306,31 +196,17 @@ double ElementContacts::stored(std::size_t k) const {
 void ElementContacts::advance(Model& model, const Step& step) {
   if (rupture_ != nullptr) follow_ruptures();
   if (acting_ == 0) return;
-  const std::vector<std::int32_t>& elements = list_.elements();
-  const Pushes pushes(model, step);
-  for_blocks(elements.size() / elements_a_block + 1, 8, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first * elements_a_block;
-         n < std::min(elements.size(), last * elements_a_block); ++n) {
-      const BeamLoad<double> sum = sum_on(n);
-      const auto i = static_cast<std::size_t>(elements[n]);
-      pushes.push(i, sum.force);
-      if (has_rotation_) pushes.twist(i, sum.moment_i);
-    }
-  });
+  push_elements(model, step);
   if (parameters_.rebonding_pressure)
-    for (std::size_t k = 0; k < acts_.size(); ++k)
+    for (std::size_t k = 0; k < list_.candidates().size(); ++k)
       if (acts_[k] != 0) bond_anew(k);
 }
 
 void ElementContacts::observe(const Model& model, Observation& observation) const {
   double energy = 0;
-  for (std::size_t k = 0; k < acts_.size(); ++k)
+  for (std::size_t k = 0; k < list_.candidates().size(); ++k)
     if (acts_[k] != 0) energy += stored(k);
-  for (std::size_t n = 0; n < list_.elements().size() && acting_ > 0; ++n) {
-    const BeamLoad<double> sum = sum_on(n);
-    observe_push(model, observation, list_.elements()[n], sum.force);
-    if (has_rotation_) observe_twist(model, observation, list_.elements()[n], sum.moment_i);
-  }
+  if (acting_ > 0) observe_loads(model, observation);
   using Kind = EnergyLedger::Kind;
   observation.energies.add(Kind::stored, "contact_energy", energy);
   if (has_rotation_) observation.energies.add(Kind::dissipated, "friction", friction_);
@@ -344,8 +220,8 @@ void ElementContacts::follow_ruptures() {
   const std::vector<BrokenBond>& broken = rupture_->broken();
   if (rupture_->removed() != removed_seen_) {
     removed_seen_ = rupture_->removed();
-    for (std::size_t k = 0; k < acts_.size(); ++k) {
-      const Pair& pair = list_.candidates()[k].pair;
+    for (std::size_t k = 0; k < list_.candidates().size(); ++k) {
+      const Pair pair = list_.candidates().pair(k);
       if (rupture_->is_removed(pair.i) || rupture_->is_removed(pair.j)) lose_contact(k);
     }
     std::vector<std::int32_t> removed;
@@ -377,11 +253,11 @@ void ElementContacts::take_over(const BrokenBond& bond) {
 }
 
 void ElementContacts::lose_contact(std::size_t k) {
-  if (acts_[k] != 0) rupture_->lose(list_.candidates()[k].pair, stored(k), load(k));
+  if (acts_[k] != 0) rupture_->lose(list_.candidates().pair(k), stored(k), load(k));
 }
 
 void ElementContacts::bond_anew(std::size_t k) {
-  const ContactCandidate& contact = list_.candidates()[k];
+  const ContactCandidate contact = list_.candidates()[k];
   const Vector to = list_.chord(contact);
   const double push = -dot(load_[k].force, history_[k].normal);
   if (!(push > *parameters_.rebonding_pressure * section(contact.pair, to))) return;
@@ -428,9 +304,9 @@ double ElementContacts::largest_over_mass(const std::vector<double>& sums) const
 
 double ElementContacts::present_stiffness() const {
   std::vector<double> now = bonded_;
-  for (std::size_t k = 0; k < acts_.size(); ++k)
+  for (std::size_t k = 0; k < list_.candidates().size(); ++k)
     if (acts_[k] != 0)
-      add_stiffness(now, list_.candidates()[k].pair,
+      add_stiffness(now, list_.candidates().pair(k),
                     stiffness_with_friction() * list_.candidates()[k].stiffness);
   return largest_over_mass(now);
 }
@@ -468,11 +344,14 @@ double ElementContacts::stiffened() const {
 
 void ElementContacts::state(Archive& archive) {
   list_.state(archive);
+  acts_.resize(list_.candidates().size());
   archive(history_, load_, acts_, nearer_, broken_seen_, removed_seen_, bonded_anew_, acting_,
           friction_, damped_, bonded_, largest_stiffness_);
-  if (!archive.is_reading()) return;
   const std::size_t count = list_.candidates().size();
-  if (history_.size() != count || load_.size() != count || acts_.size() != count ||
+  const bool fits = acts_.size() == count;
+  acts_.resize(count + lanes, 0);
+  if (!archive.is_reading()) return;
+  if (history_.size() != count || load_.size() != count || !fits ||
       bonded_.size() != model_.elements() ||
       (rupture_ != nullptr && broken_seen_ > rupture_->broken().size()))
     throw std::out_of_range("contacts of " + std::to_string(history_.size()) + " pairs");

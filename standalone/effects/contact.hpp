@@ -12,6 +12,7 @@
 #include "effects/contact_law.hpp"
 #include "effects/contact_list.hpp"
 #include "effects/grips.hpp"
+#include "effects/kernels/kernels.hpp"
 #include "effects/rupture.hpp"
 #include "laws/linear_contact.hpp"
 #include "model/buffer.hpp"
@@ -47,8 +48,8 @@ class ElementContacts : public Effect {
   /// Calls visit(pair, overlap) for each contact that acts, in the order of their pairs; m.
   template <class Visit>
   void for_each_acting(const Visit& visit) const {
-    for (std::size_t k = 0; k < acts_.size(); ++k)
-      if (acts_[k] != 0) visit(list_.candidates()[k].pair, overlap(k));
+    for (std::size_t k = 0; k < list_.candidates().size(); ++k)
+      if (acts_[k] != 0) visit(list_.candidates().pair(k), overlap(k));
   }
   /// Looks at the poses that a step has led to.
   void look(const Step& step);
@@ -68,20 +69,18 @@ class ElementContacts : public Effect {
   /// What a contact did when it was last looked at: all zero where it does not act. One line of
   /// memory, which both elements read.
   struct alignas(64) Load {
-    Vector force{};               ///< on i, N
-    Vector moment{};              ///< of the force about the contact a metre on along the chord, N
-    double arm_i = 0, arm_j = 0;  ///< of the contact from both centres, m
+    Vector force{};    ///< on i, N
+    double arm_i = 0;  ///< of the contact from the centre of i, m
+    Vector moment{};   ///< of the force about the contact a metre on along the chord, N
+    double arm_j = 0;  ///< of the contact from the centre of j, m
 
     void state(Archive& archive) { archive(force, moment, arm_i, arm_j); }
   };
-  struct History : ContactHistory<double> {
+  struct alignas(64) History : ContactHistory<double> {
     void state(Archive& archive) { archive(normal, spring, dashpot); }
   };
-  /// Energies that went in a step, and how many contacts act.
-  struct Sums {
-    double friction = 0, damped = 0;
-    std::size_t acting = 0;
-  };
+  static_assert(sizeof(Load) == 8 * sizeof(double) && sizeof(History) == 8 * sizeof(double),
+                "kernels read and write rows of eight");
 
   // Who touches where.
   void list_contacts();
@@ -93,26 +92,34 @@ class ElementContacts : public Effect {
   void refuse_overlaps() const;
 
   // Forces.
+  double inverse_mass(const double* column, std::int32_t element) const;
   /// Columns of the elements, as they are at a look.
   struct Motion {
-    const double* pose;
-    const double* rows;  ///< of each element that can be reached: v, 1/m, ω, R
-    double time_step;    ///< between the poses, s
+    const double *velocity, *spin;  ///< spin: null where elements do not turn
+    const double *inverse_mass, *radius;
+    const double *pose, *pose_before;
+    double time_step;  ///< between the poses, s
   };
-  double inverse_mass(const double* column, std::int32_t element) const;
-  /// Lays the rows out that contacts read: a line of memory for each element.
-  void fill_rows(double time_step);
+  void fill_row(const Motion& motion, std::int32_t element);
+  /// Lays the rows out that contacts read, a line of memory for each element: of all in the list,
+  /// or of those whose pairs are picked where these are few.
+  void fill_rows(double time_step, std::size_t picks);
+  /// Calls visit(k) for the candidates that were picked last.
+  template <class Visit>
+  void for_each_pick(const Visit& visit) const;
   void find_forces(double time_step);
-  void find_force(const Motion& motion, std::size_t k, Sums& sums);
+  ContactColumns kernel_columns(double time_step, ContactSums* sums);
   /// Force and moment on i; on j the force is opposite.
   BeamLoad<double> load(std::size_t k) const;
-  /// Sum over the contacts of an element.
-  BeamLoad<double> sum_on(std::size_t exposed) const;
+  /// What contacts do to their elements.
+  ContactSides sides() const;
   /// Of a contact that acts, when it was last looked at, m.
   double overlap(std::size_t k) const {
     return list_.candidates()[k].distance - (load_[k].arm_i + load_[k].arm_j);
   }
+  void push_elements(Model& model, const Step& step);
   double stored(std::size_t k) const;
+  void observe_loads(const Model& model, Observation& observation) const;
   /// Enters what contacts lost in a step as heat of their elements.
   void warm_elements();
 
@@ -139,9 +146,11 @@ class ElementContacts : public Effect {
   Model& model_;
   bool has_rotation_;
   ContactList list_;
-  std::vector<History> history_;  ///< of each candidate of the list
-  std::vector<Load> load_;        ///< likewise
-  std::vector<char> acts_;        ///< likewise: 1 where it touches
+  std::vector<History> history_;       ///< of each candidate of the list
+  std::vector<Load> load_;             ///< likewise
+  std::vector<char> acts_;             ///< likewise: 1 where it touches; with lanes more
+  std::vector<std::uint32_t> picked_;  ///< in blocks, candidates that are looked at closely
+  std::vector<std::size_t> picks_;     ///< of each block how many
   Buffer<double> rows_;
   std::map<Pair, double> nearer_;       ///< contact distance of pairs that were nearer when found
   std::map<Pair, std::size_t> broken_;  ///< the last of the broken bonds between two elements

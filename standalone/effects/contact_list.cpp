@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "effects/kernels/kernels.hpp"
 #include "effects/surface_elements.hpp"
 #include "model/blocks.hpp"
 #include "model/error.hpp"
@@ -42,6 +41,25 @@ std::vector<std::int32_t> sorted(std::vector<std::int32_t> elements) {
   std::sort(elements.begin(), elements.end());
   elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
   return elements;
+}
+
+/// The largest square of the ways, m², that a block of elements has gone from where they were
+/// listed.
+double farthest_square(const double* pose, const std::vector<std::int32_t>& elements,
+                       const std::vector<Vector>& listed_at, std::size_t block) {
+  constexpr std::size_t ahead = 24;
+  const std::size_t first = block * elements_searched_a_block,
+                    end = std::min(elements.size(), first + elements_searched_a_block);
+  double farthest = 0;
+  for (std::size_t k = first; k < end; ++k) {
+    if (k + ahead < end) __builtin_prefetch(pose + std::ptrdiff_t{8} * elements[k + ahead]);
+    const double* now = pose + std::ptrdiff_t{8} * elements[k];
+    const Vector away = Vector{now[0], now[1], now[2]} - listed_at[k];
+    const double square = dot(away, away);
+    // What is no number is far.
+    if (!(square <= farthest)) farthest = square > farthest ? square : HUGE_VAL;
+  }
+  return farthest;
 }
 
 }  // namespace
@@ -90,15 +108,8 @@ bool ContactList::is_outdated() {
   const std::size_t blocks = elements_.size() / elements_searched_a_block + 1;
   std::vector<double> farthest(blocks, 0.0);
   for_blocks(blocks, 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t block = first; block < last; ++block) {
-      const std::size_t end = std::min(elements_.size(), (block + 1) * elements_searched_a_block);
-      for (std::size_t k = block * elements_searched_a_block; k < end; ++k) {
-        const Vector away = position(pose, elements_[k]) - listed_at_[k];
-        const double square = dot(away, away);
-        // What is no number is far.
-        if (!(square <= farthest[block])) farthest[block] = square;
-      }
-    }
+    for (std::size_t block = first; block < last; ++block)
+      farthest[block] = farthest_square(pose, elements_, listed_at_, block);
   });
   const double square = *std::max_element(farthest.begin(), farthest.end());
   moved_ = std::sqrt(square);
@@ -109,7 +120,9 @@ std::vector<ContactCandidate> ContactList::find_pairs() {
   const Specimen& specimen = model_.specimen();
   const double* pose = model_.data(columns::pose);
   std::vector<double> radius;
+  radius.reserve(elements_.size());
   listed_at_.clear();
+  listed_at_.reserve(elements_.size());
   for (const std::int32_t element : elements_) {
     const Vector place = position(pose, element);
     if (!std::isfinite(place.x + place.y + place.z))
@@ -121,6 +134,7 @@ std::vector<ContactCandidate> ContactList::find_pairs() {
   const Neighbourhood near =
       find_neighbours(specimen.domain, listed_at_, radius, 1, skin_, {}, kernels().pick_near);
   std::vector<ContactCandidate> pairs;
+  pairs.reserve(near.neighbour.size() / 2);
   for (std::size_t a = 0; a < elements_.size(); ++a)
     for (std::size_t k = near.first[a]; k < near.first[a + 1]; ++k) {
       const auto b = static_cast<std::size_t>(near.neighbour[k]);
@@ -137,34 +151,37 @@ void ContactList::list_sides() {
     return static_cast<std::size_t>(std::lower_bound(elements_.begin(), elements_.end(), element) -
                                     elements_.begin());
   };
-  std::vector<std::size_t> place_i, place_j;
-  for (const ContactCandidate& candidate : candidates_) {
-    place_i.push_back(place_of(candidate.pair.i));
-    place_j.push_back(place_of(candidate.pair.j));
-    ++first_side_[place_i.back() + 1];
-    ++first_side_[place_j.back() + 1];
+  const std::size_t count = candidates_.size();
+  std::vector<std::size_t> place_i(count), place_j(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    place_i[k] = place_of(candidates_.pair(k).i);
+    place_j[k] = place_of(candidates_.pair(k).j);
+    ++first_side_[place_i[k] + 1];
+    ++first_side_[place_j[k] + 1];
   }
   std::partial_sum(first_side_.begin(), first_side_.end(), first_side_.begin());
   std::vector<std::uint32_t> next(first_side_.begin(), first_side_.end() - 1);
-  sides_.resize(2 * candidates_.size());
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
+  sides_.resize(2 * count);
+  for (std::size_t k = 0; k < count; ++k) {
     sides_[next[place_i[k]]++] = {static_cast<std::uint32_t>(k), true};
     sides_[next[place_j[k]]++] = {static_cast<std::uint32_t>(k), false};
   }
 }
 
 void ContactList::state(Archive& archive) {
-  archive(elements_, new_, listed_at_, candidates_, outdated_, clearance_);
+  std::vector<ContactCandidate> candidates = candidates_.all();
+  archive(elements_, new_, listed_at_, candidates, outdated_, clearance_);
   if (!archive.is_reading()) return;
   const auto is_listed = [&](std::int32_t element) {
     return std::binary_search(elements_.begin(), elements_.end(), element);
   };
   const bool fits = listed_at_.size() == elements_.size() || outdated_;
   if (!fits || !std::is_sorted(elements_.begin(), elements_.end()) ||
-      !std::all_of(candidates_.begin(), candidates_.end(), [&](const ContactCandidate& candidate) {
+      !std::all_of(candidates.begin(), candidates.end(), [&](const ContactCandidate& candidate) {
         return is_listed(candidate.pair.i) && is_listed(candidate.pair.j);
       }))
     throw std::out_of_range("contacts between elements that are not in their list");
+  candidates_ = ContactCandidates(model_.specimen().domain, candidates);
   list_sides();
 }
 

@@ -9,30 +9,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/archive.hpp"
+#include "effects/contact_candidates.hpp"
+#include "effects/kernels/kernels.hpp"
 #include "model/model.hpp"
-#include "neighbours/neighbourhood.hpp"
 
 namespace solidem {
-
-/// Two elements that touch or may soon.
-struct ContactCandidate {
-  Pair pair{0, 0};
-  Image image;           ///< of the second, that is meant
-  double distance = 0;   ///< at which they touch, m
-  double stiffness = 0;  ///< k_n, N/m
-  double damping = 0;    ///< c_n, N·s/m
-
-  void state(Archive& archive) {
-    std::int64_t code = image.code();
-    archive(pair, code, distance, stiffness, damping);
-    image = Image::of_code(static_cast<std::uint32_t>(code));
-  }
-};
-
-inline bool stands_before(const ContactCandidate& a, const ContactCandidate& b) {
-  return a.pair < b.pair || (a.pair == b.pair && a.image < b.image);
-}
 
 class ContactList {
  public:
@@ -48,7 +29,7 @@ class ContactList {
   /// Whether an element can be reached since the list was last made.
   bool is_new(std::int32_t element) const;
 
-  const std::vector<ContactCandidate>& candidates() const { return candidates_; }
+  const ContactCandidates& candidates() const { return candidates_; }
   /// From the first to the second of a candidate, as they stand now, and in these poses.
   Vector chord(const ContactCandidate& candidate) const {
     return chord(model_.data(columns::pose), candidate);
@@ -69,16 +50,14 @@ class ContactList {
   /// Asks for that at the next look.
   void outdate() { outdated_ = true; }
 
-  /// One side of a candidate, as an element sees it.
-  struct Side {
-    std::uint32_t candidate;
-    bool is_first;
-  };
   /// Calls visit(side) for the candidates of the k-th of the elements, in their order.
   template <class Visit>
   void for_each_side(std::size_t k, const Visit& visit) const {
     for (std::uint32_t n = first_side_[k]; n < first_side_[k + 1]; ++n) visit(sides_[n]);
   }
+  /// All of them: those of the k-th stand from first_side()[k] to first_side()[k + 1].
+  const std::uint32_t* first_side() const { return first_side_.data(); }
+  const ContactSide* sides() const { return sides_.data(); }
 
   void state(Archive& archive);
 
@@ -99,9 +78,9 @@ class ContactList {
   std::vector<std::int32_t> new_;             ///< of these, those that the list is made with first
   std::vector<std::int32_t> coming_, going_;  ///< when it is made anew
   std::vector<Vector> listed_at_;             ///< where they stood when it was made
-  std::vector<ContactCandidate> candidates_;
+  ContactCandidates candidates_;
   std::vector<std::uint32_t> first_side_{0};
-  std::vector<Side> sides_;
+  std::vector<ContactSide> sides_;
   bool outdated_ = true;
   double clearance_ = 0;  ///< by which the nearest of them were apart when it was made, m
   double moved_ = 0;      ///< since then, the farthest, m
@@ -111,13 +90,14 @@ template <class Make, class Carry>
 void ContactList::renew(const Make& make, const Carry& carry) {
   come_and_go();
   std::vector<ContactCandidate> now = find_pairs();
+  const ContactCandidates& then = candidates_;
   const double* pose = model_.data(columns::pose);
   clearance_ = skin_;
   for (std::size_t k = 0, before = 0; k < now.size(); ++k) {
-    while (before < candidates_.size() && stands_before(candidates_[before], now[k])) ++before;
+    while (before < then.size() && stands_before(then[before], now[k])) ++before;
     const Vector to = chord(pose, now[k]);
-    if (before < candidates_.size() && !stands_before(now[k], candidates_[before])) {
-      now[k] = candidates_[before];
+    if (before < then.size() && !stands_before(now[k], then[before])) {
+      now[k] = then[before];
       carry(before);
     } else {
       const Image image = now[k].image;
@@ -126,7 +106,7 @@ void ContactList::renew(const Make& make, const Carry& carry) {
     }
     clearance_ = std::min(clearance_, norm(to) - now[k].distance);
   }
-  candidates_ = std::move(now);
+  candidates_ = ContactCandidates(model_.specimen().domain, now);
   new_.clear();
   outdated_ = false;
   moved_ = 0;

@@ -6,7 +6,7 @@
 
 #include "effects/beam_parameters.hpp"
 #include "effects/central_force_parameters.hpp"
-#include "effects/push.hpp"
+#include "effects/kernels/kernels.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/lane_vectors.hpp"
 
@@ -38,21 +38,12 @@ FreeMotion::FreeMotion(const std::vector<double>& mass, double stiffness, Model&
 }
 
 void FreeMotion::advance(Model& model, const Step& step) {
-  const bool has_rotation = model.has(columns::angular_velocity);
-  const auto now = model.positions(), next = model.next_positions();
-  const double* velocity = model.data(columns::velocity);
+  const FreeMotionColumns columns{
+      model.data(columns::pose), model.next(columns::pose), model.data(columns::velocity),
+      model.has(columns::angular_velocity) ? model.data(columns::angular_velocity) : nullptr,
+      step.time_step};
   for_blocks(model.slots().blocks(), least_blocks_moving, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first * lanes; i < std::min(last * lanes, model.elements()); ++i) {
-      for (int axis = 0; axis < 3; ++axis)
-        next[i][axis] =
-            now[i][axis] + step.time_step * velocity[Model::at(columns::velocity, i, axis)];
-      if (has_rotation)
-        turn_on(model, step, i,
-                lanes_vector(model.data(columns::angular_velocity),
-                             Model::at(columns::angular_velocity, i)));
-      else
-        std::copy_n(now[i] + 4, 4, next[i] + 4);
-    }
+    kernels().move_freely(columns, first, last);
   });
 }
 

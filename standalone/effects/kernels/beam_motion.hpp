@@ -18,14 +18,6 @@
 
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
-inline PackVector centre(const Row& row) {
-  return {row.component[0], row.component[1], row.component[2]};
-}
-
-inline Quaternion<Pack> orientation(const Row& row) {
-  return {row.component[4], {row.component[5], row.component[6], row.component[7]}};
-}
-
 /// Where a pack of slots stands in the columns of slots.
 struct SlotPlace {
   std::size_t row, lane;

@@ -16,10 +16,6 @@
 
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
-inline PackVector vector_of(const Quad& quad) {
-  return {quad.component[0], quad.component[1], quad.component[2]};
-}
-
 /// A pack of neighbours seen from a pack of elements. Of an empty slot, and of two elements at one
 /// place, the distance is no number, so that nothing is inside.
 struct Seen {

@@ -6,6 +6,7 @@
 #include "effects/kernels/beam_motion.hpp"
 #include "effects/kernels/central_motion.hpp"
 #include "effects/kernels/heat_flow.hpp"
+#include "effects/kernels/loose_kernels.hpp"
 #include "effects/kernels/near.hpp"
 
 #define SOLIDEM_TEXT_(x) #x
@@ -18,6 +19,11 @@ const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET),
                       move_beams_by_kind,
                       move_by_central_forces,
                       find_crack_faces,
+                      move_freely,
+                      push,
+                      pick_contacts,
+                      find_contact_loads,
+                      sum_contact_loads,
                       pick_near,
                       conduct,
                       conducted_power_by_kind};

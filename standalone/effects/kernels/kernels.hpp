@@ -132,6 +132,79 @@ struct HeatPower {
   const double* contact_resistance;  ///< of each pair; null: none
 };
 
+/// Columns of elements that go straight on and turn on.
+struct FreeMotionColumns {
+  const double* pose;
+  double* next_pose;
+  const double* velocity;
+  const double* angular_velocity;  ///< null: elements do not turn
+  double time_step;
+};
+
+/// Loads on some elements, which have moved already in this step.
+struct PushedElements {
+  const std::int32_t* element;  ///< which; each once
+  const double* load;           ///< of each a row: force, N; nothing; moment, N·m; nothing
+  std::size_t count;
+  const double* pose;
+  double* next_pose;
+  double* velocity;
+  double* angular_velocity;  ///< null: elements do not turn
+  const double* inverse_mass;
+  const double* inverse_inertia;
+  double kick;  ///< s, by which the velocities move on
+  double time_step;
+};
+
+/// Energies that went in a step, J, and how many contacts act.
+struct ContactSums {
+  double friction = 0, damped = 0;
+  std::size_t acting = 0;
+};
+
+/// Pairs of elements that may touch, in blocks. Columns of pairs are as long as there are pairs,
+/// and `lanes` more: these touch nothing, and what they are told is not kept.
+struct ContactColumns {
+  static constexpr std::size_t pairs_a_block = 512;
+
+  std::size_t pairs;
+  const std::int32_t *element_i, *element_j;
+  const double* distance;                     ///< at which they touch, m
+  const double* stiffness;                    ///< k_n, N/m
+  const double* damping;                      ///< c_n, N·s/m
+  const double *shift_x, *shift_y, *shift_z;  ///< m, of the image of j; null: nothing is periodic
+  const double* pose;
+  const double* motion;               ///< of each element a row: v, 1/m, ω, R
+  double tangential_stiffness_ratio;  ///< k_t / k_n
+  double friction;                    ///< μ
+  double time_step;                   ///< s, since the pose before
+
+  double* history;  ///< of each pair a row: n, s, push of the dashpot, nothing
+  double* load;  ///< likewise: force on i, its arm, moment of the force for an arm of 1 m, arm on j
+  char* acts;    ///< likewise: 1 where it touches
+  double* heat;  ///< likewise: what it loses as heat, J; null: nothing
+  double heat_of_friction, heat_of_damping;  ///< fractions of what these take
+  // Of each block, from where its pairs begin.
+  std::uint32_t* picked;  ///< pairs that touch, or did when they were last looked at
+  std::size_t* picks;     ///< how many
+  ContactSums* sums;      ///< what went in them
+};
+
+/// A side of a pair, as an element sees it.
+struct ContactSide {
+  std::uint32_t pair;
+  bool is_first;  ///< the element is i
+};
+
+/// What pairs do to their elements: those of the n-th stand from first[n] to first[n + 1].
+struct ContactSides {
+  const std::int32_t* element;
+  const std::uint32_t* first;
+  const ContactSide* side;
+  const double* load;  ///< as in ContactColumns
+  const char* acts;
+};
+
 /// One instruction set's kernels. Each treats the blocks [first, last).
 struct Kernels {
   const char* instruction_set;
@@ -143,6 +216,18 @@ struct Kernels {
   void (*move_by_central_forces)(CentralMotion&, std::size_t first, std::size_t last);
   /// What every element shows of the cracks about it: laws/crack_face.hpp.
   void (*find_crack_faces)(const CentralMotion&, std::size_t first, std::size_t last);
+  /// Pose and velocity of elements on which nothing acts.
+  void (*move_freely)(const FreeMotionColumns&, std::size_t first, std::size_t last);
+  /// What loads change of velocities and of the poses that follow; of all elements at once.
+  void (*push)(const PushedElements&);
+  /// Picks pairs of some blocks.
+  void (*pick_contacts)(const ContactColumns&, std::size_t first, std::size_t last);
+  /// Loads of those that are picked, and what they remember: laws/linear_contact.hpp.
+  void (*find_contact_loads)(const ContactColumns&, std::size_t first, std::size_t last);
+  /// Adds up the loads on elements [first, last): on which something acts, and a row for each as in
+  /// PushedElements. Returns how many.
+  std::size_t (*sum_contact_loads)(const ContactSides&, std::size_t first, std::size_t last,
+                                   std::int32_t* element, double* sums);
   /// Which of some positions are near; given to find_neighbours.
   PickNear pick_near;
   /// Explicit Euler step of the temperatures.

@@ -164,11 +164,31 @@ inline Mask either(Mask a, Mask b) {
 #endif
 }
 
+/// Lanes of which a byte is not zero.
+inline Mask is_set(const char* bytes) {
+#if defined(__AVX512F__)
+  const __m128i eight = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(bytes));
+  return {static_cast<__mmask8>(_mm_test_epi8_mask(eight, eight))};
+#else
+  Mask set{};
+  for (int k = 0; k < width; ++k) set.v[k] = bytes[k] != 0 ? -1 : 0;
+  return set;
+#endif
+}
+
 inline Mask both(Mask a, Mask b) {
 #if defined(__AVX512F__)
   return {static_cast<__mmask8>(a.v & b.v)};
 #else
   return {a.v & b.v};
+#endif
+}
+
+inline Mask opposite(Mask a) {
+#if defined(__AVX512F__)
+  return {static_cast<__mmask8>(~a.v)};
+#else
+  return {~a.v};
 #endif
 }
 
@@ -293,6 +313,29 @@ inline Pack gather(const double* table, const std::int32_t* index) {
 #endif
 }
 
+/// The opposite: lane k goes to table[index[k]].
+inline void scatter(Pack values, double* table, const std::int32_t* index) {
+  for (int k = 0; k < width; ++k) table[index[k]] = values.v[k];
+}
+
+/// Writes `first` + k for each lane k that says yes; returns how many. Behind them as many numbers
+/// as a pack has lanes may be overwritten.
+inline std::size_t write_numbers(Mask chosen, std::size_t first, std::uint32_t* to) {
+#if defined(__AVX512F__)
+  const __m256i number = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
+                                          _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+  _mm256_mask_compressstoreu_epi32(to, chosen.v, number);
+  return static_cast<std::size_t>(__builtin_popcount(chosen.v));
+#else
+  std::size_t count = 0;
+  for (int k = 0; k < width; ++k) {
+    to[count] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(k);
+    count += chosen[k] ? 1 : 0;
+  }
+  return count;
+#endif
+}
+
 /// Turns a square of packs over its diagonal.
 inline void transpose(Pack (&p)[width]) {
 #if defined(__AVX512F__)
@@ -327,12 +370,14 @@ inline void transpose(Pack (&p)[width]) {
 #endif
 }
 
-/// Four components of `width` elements, whose rows of four doubles stand anywhere.
+/// Four components of `width` elements, whose rows of four doubles, or the first four of longer
+/// ones, stand anywhere.
 struct Quad {
   Pack component[4];
 
+  template <int row_length = 4>
   static Quad gather(const double* rows, const std::int32_t* index) {
-    const auto row = [&](int k) { return rows + std::ptrdiff_t{4} * index[k]; };
+    const auto row = [&](int k) { return rows + std::ptrdiff_t{row_length} * index[k]; };
     Quad quad;
 #if defined(__AVX512F__)
     Lanes a[4];  // rows k and k + 4
@@ -394,13 +439,20 @@ struct Row {
     return gather(rows, index);
   }
 
-  void store(double* rows) const {
+  /// The opposite of gather().
+  void scatter(double* rows, const std::int32_t* index) const {
     for (int part = 0; part < 8; part += width) {
       Pack square[width];
       for (int k = 0; k < width; ++k) square[k] = component[part + k];
       transpose(square);
-      for (int k = 0; k < width; ++k) square[k].store(rows + std::ptrdiff_t{8} * k + part);
+      for (int k = 0; k < width; ++k) square[k].store(rows + std::ptrdiff_t{8} * index[k] + part);
     }
+  }
+
+  void store(double* rows) const {
+    std::int32_t index[width];
+    for (int k = 0; k < width; ++k) index[k] = k;
+    scatter(rows, index);
   }
 };
 

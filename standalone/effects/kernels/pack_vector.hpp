@@ -22,6 +22,19 @@ inline void store_vector(const PackVector& vector, double* lanes_of_x) {
   vector.z.store(lanes_of_x + std::ptrdiff_t{2} * lanes);
 }
 
+inline PackVector vector_of(const Quad& quad) {
+  return {quad.component[0], quad.component[1], quad.component[2]};
+}
+
+/// Of a row of a pose.
+inline PackVector centre(const Row& row) {
+  return {row.component[0], row.component[1], row.component[2]};
+}
+
+inline Quaternion<Pack> orientation(const Row& row) {
+  return {row.component[4], {row.component[5], row.component[6], row.component[7]}};
+}
+
 inline PackVector select(Mask condition, const PackVector& a, const PackVector& b) {
   return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
 }

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What contacts cost: bench_contacts [ROUNDS [ELEMENTS]]. Bodies of 20 000 elements by default, in
+// turns, the fastest of each:
+//
+// - crushed: loose elements that all touch, ns a contact and step, on one thread and on two;
+// - nothing touches: beams with [contact] over beams without.
+//
+// Time is that of the processor in the calling thread: while it waits for other threads or for a
+// busy machine it does not count, so that figures of two threads are what two free cores would
+// give.
+#include <omp.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "effects/kernels/kernels.hpp"
+#include "engine/simulation.hpp"
+#include "model/error.hpp"
+#include "scene/body.hpp"
+#include "scene/scene.hpp"
+
+namespace {
+
+using namespace solidem;
+
+constexpr const char* loose = R"(
+[contact]
+young_modulus = "70 GPa"
+friction = 0.3
+restitution = 0.8
+initial_overlap = "kept"
+)";
+constexpr const char* beams = R"(
+[beams]
+young_modulus = "3.5 TPa"
+poisson_ratio = 0.3
+radius_ratio = 0.27
+)";
+constexpr const char* beside_beams = R"(
+[contact]
+friction = 0.3
+)";
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A scene on a body that is made once.
+struct Case {
+  Scene scene;
+  const Specimen* specimen;
+  std::int64_t steps_before, steps;
+
+  /// Seconds of a step, and contacts in the middle.
+  std::pair<double, double> time(int threads) const {
+    omp_set_num_threads(threads);
+    Simulation simulation(scene.setup, *specimen);
+    simulation.advance(steps_before);
+    double seconds = 0, contacts = 0;
+    for (int half = 0; half < 2; ++half) {
+      const double start = processor_seconds();
+      simulation.advance(steps / 2);
+      seconds += processor_seconds() - start;
+      if (half > 0) continue;
+      for (const auto& [name, value] : simulation.observe().values)
+        if (name == "contacts") contacts = value;
+    }
+    return {seconds / static_cast<double>(steps), contacts};
+  }
+};
+
+/// `rate`: at which the body stretches when it begins, 1/s.
+Scene scene_of(const std::string& sections, const std::string& elements, double rate) {
+  const std::string each = '"' + text(rate) + " 1/s\"";
+  SceneSource source("contacts.toml");
+  source.text =
+      "[specimen]\nshape = \"box\"\nsize = [\"10 mm\", \"10 mm\", \"10 mm\"]\nelements = " +
+      elements + "\n[material]\ndensity = \"2790 kg/m^3\"\n" + sections +
+      "[[initial_velocities]]\nregion = { all = true }\nstretching = [" + each + ", " + each +
+      ", " + each + "]\n[run]\nsteps = 1000\n";
+  return read_scene(source);
+}
+
+void measure(int rounds, const std::string& elements) {
+  // A body that shrinks so fast that all of its elements touch within a few steps.
+  const Scene crushed = scene_of(loose, elements, -4000);
+  const Specimen packing = make_body(crushed);
+  const Case grains{crushed, &packing, 30, 60},
+      bonded{scene_of(beams, elements, 4), &packing, 10, 60},
+      watched{scene_of(std::string(beams) + beside_beams, elements, 4), &packing, 10, 60};
+  double best[4];
+  std::fill_n(best, 4, std::numeric_limits<double>::infinity());
+  double contacts = 0;
+  for (int round = 0; round < rounds; ++round) {
+    for (int threads : {1, 2}) {
+      const auto [seconds, count] = grains.time(threads);
+      best[threads - 1] = std::min(best[threads - 1], seconds);
+      contacts = count;
+    }
+    best[2] = std::min(best[2], bonded.time(1).first);
+    best[3] = std::min(best[3], watched.time(1).first);
+    std::printf(
+        "%s elements, %.0f contacts, %s: crushed %.1f ns a contact and step, two threads "
+        "%.2f times as fast; nothing touches: %.2f %% of beams\n",
+        elements.c_str(), contacts, kernels().instruction_set, 1e9 * best[0] / contacts,
+        best[0] / best[1], 100 * (best[3] / best[2] - 1));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  try {
+    measure(count > 1 ? std::atoi(words[1]) : 5, count > 2 ? words[2] : "20000");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Kernels of elements that touch or that nothing joins, each in a source of its own: said in
+// kernels.hpp.
+#ifndef SOLIDEM_EFFECTS_KERNELS_LOOSE_KERNELS_HPP
+#define SOLIDEM_EFFECTS_KERNELS_LOOSE_KERNELS_HPP
+
+#include "effects/kernels/kernels.hpp"
+#include "effects/kernels/pack.hpp"
+
+namespace solidem::SOLIDEM_INSTRUCTION_SET {
+
+void move_freely(const FreeMotionColumns& columns, std::size_t first, std::size_t last);
+void push(const PushedElements& pushed);
+void pick_contacts(const ContactColumns& columns, std::size_t first, std::size_t last);
+void find_contact_loads(const ContactColumns& columns, std::size_t first, std::size_t last);
+std::size_t sum_contact_loads(const ContactSides& sides, std::size_t first, std::size_t last,
+                              std::int32_t* element, double* sums);
+
+}  // namespace solidem::SOLIDEM_INSTRUCTION_SET
+
+#endif
