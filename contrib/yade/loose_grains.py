@@ -3,7 +3,7 @@
 
 Nothing of the law is solidem's. Radii, masses, moments of inertia and the velocities of the start
 are those of the prepared specimen; stiffness and friction follow from YADE's own `FrictMat`, or from
-tables of pairs of materials where there are tools, which become walls, or one stiffness for all.
+tables of pairs of materials where there are tools (`rigid_tools`), or one stiffness for all.
 """
 
 from __future__ import annotations
@@ -12,10 +12,11 @@ import math
 
 import numpy as np
 from motion import MotionScene, add_spheres
-from prepared import Contact, Parameters, PreparedError, Specimen, Tool
-from yade import (Bo1_Sphere_Aabb, Bo1_Wall_Aabb, ForceResetter, FrictMat,
-                  Ig2_Sphere_Sphere_ScGeom, Ig2_Wall_Sphere_ScGeom, InsertionSortCollider,
-                  InteractionLoop, Ip2_FrictMat_FrictMat_FrictPhys,
+from prepared import Contact, Parameters, PreparedError, Specimen
+from rigid_tools import RigidTools
+from yade import (Bo1_Facet_Aabb, Bo1_Sphere_Aabb, Bo1_Wall_Aabb, ForceResetter, FrictMat,
+                  Ig2_Facet_Sphere_ScGeom, Ig2_Sphere_Sphere_ScGeom, Ig2_Wall_Sphere_ScGeom,
+                  InsertionSortCollider, InteractionLoop, Ip2_FrictMat_FrictMat_FrictPhys,
                   Law2_ScGeom_FrictPhys_CundallStrack, MatchMaker, O, PyRunner, utils)
 
 
@@ -55,23 +56,6 @@ def _law_of_pairs(specimen: Specimen, parameters: Parameters) -> Ip2_FrictMat_Fr
         frictAngle=table([math.atan(row[2]) for row in rows]))
 
 
-def _add_wall(tool: Tool) -> None:
-    """A plane across an axis, at rest or in steady motion."""
-    axis = int(np.argmax(np.abs(tool.axis)))
-    if tool.shape != "plane" or abs(tool.axis[axis]) < 1 - 1e-14 or tool.angular_velocity:
-        raise PreparedError(f"tool {tool.name}: planes across an axis that do not turn are understood "
-                            "in YADE")
-    if tool.restitution != 1:
-        raise PreparedError(f"tool {tool.name}: restitution: YADE's native law has no dashpot")
-    if tool.deepest_overlap_at_the_start > 1e-12:
-        raise PreparedError(f"tool {tool.name}: elements overlap it at the start, by "
-                            f"{tool.deepest_overlap_at_the_start:g} m at most; YADE would push them")
-    material = O.materials.append(FrictMat(young=1, poisson=1, frictionAngle=0, density=1))
-    wall = utils.wall(tool.origin, axis, sense=int(np.sign(tool.axis[axis])), material=material)
-    O.bodies.append(wall)
-    wall.state.vel = tool.velocity
-
-
 class LooseGrainScene(MotionScene):
     """Loose elements in YADE, ready to run."""
 
@@ -86,20 +70,27 @@ class LooseGrainScene(MotionScene):
         if "mechanics/velocity" in specimen.columns:
             for body, v in zip(O.bodies, specimen.column("mechanics/velocity").tolist()):
                 body.state.vel = v
-        for tool in parameters.tools:
-            _add_wall(tool)
+        self.tools = RigidTools(specimen, parameters)
         O.engines = [
             ForceResetter(),
-            InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()],
+            InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb(), Bo1_Facet_Aabb()],
                                   verletDist=0.2 * float(specimen.radius.mean())),
             # Levers end at the middle of the overlap, and no granular ratcheting is undone.
             InteractionLoop([Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False),
-                             Ig2_Wall_Sphere_ScGeom(noRatch=False)],
+                             Ig2_Wall_Sphere_ScGeom(noRatch=False), Ig2_Facet_Sphere_ScGeom()],
                             [_law_of_pairs(specimen, parameters)],
                             # Levers are those of spheres otherwise, of walls too.
                             [Law2_ScGeom_FrictPhys_CundallStrack(sphericalBodies=False)]),
+            PyRunner(iterPeriod=1, dead=not self.tools.have_edges,
+                     command="scene.tools.check_edges()"),
             PyRunner(iterPeriod=1, nDo=2, initRun=True, command="scene.start_motion()"),
             PyRunner(iterPeriod=1, initRun=True, label="observer", command="scene.observe()"),
             self.newton(exactAsphericalRot=False),
         ]
         O.dt = parameters.time_step
+
+    def run(self, steps: int) -> None:
+        """Likewise; PreparedError where an element meets the side of two facets."""
+        super().run(steps)
+        if self.tools.fault:
+            raise PreparedError(self.tools.fault)

@@ -30,6 +30,10 @@ std::vector<std::string> notes_on_format(const Specimen& specimen, const std::st
         fmt::format("{} holds no bonds: {} stay behind", format, specimen.bonds.size()));
   if (!specimen.sets.empty() && format != ".h5")
     notes.push_back(fmt::format("{} holds no sets: {} stay behind", format, specimen.sets.size()));
+  if (specimen.outline != nullptr && format != ".h5")
+    notes.push_back(format + " holds no outline: " +
+                    (specimen.domain.cuts > 0 ? "where the cuts are" : "the mesh") +
+                    " stays behind, without which there are no cells");
   return notes;
 }
 

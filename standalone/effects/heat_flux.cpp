@@ -104,10 +104,13 @@ void check_wall(const HeatFluxParameters& flux, const Assembly& assembly) {
     throw InputError(target +
                      "a part of a wall cannot be told on a body whose outline is not known (" +
                      assembly.specimen().domain.shape + "); expected the whole wall");
-  for (const Wall& wall : walls_of(assembly.specimen().domain))
-    if (wall.name == flux.wall && wall.radius > 0 && flux.spot_radius)
-      throw InputError(target + "spot_radius: the wall " + flux.wall +
-                       " is curved; expected a flat wall, or a shape");
+  const std::vector<Wall> walls = walls_of_shape(assembly.specimen().domain);
+  const bool is_flat = std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
+    return wall.name == flux.wall && !(wall.radius > 0);
+  });
+  if (flux.spot_radius && !is_flat)
+    throw InputError(target + "spot_radius: the wall " + flux.wall +
+                     " is curved or more than one plane; expected a flat wall, or a shape");
 }
 
 std::unique_ptr<HeatSpread> spread_of(const HeatFluxParameters& flux, Assembly& assembly) {

@@ -23,13 +23,16 @@ std::vector<int> ways_of_heat(const Assembly& assembly) {
 
 std::vector<WallFace> faces_of(const Assembly& assembly, const std::string& section,
                                const std::string& name, const std::string& wall) {
-  const Specimen& specimen = assembly.specimen();
   const auto found = assembly.geometry.walls.find(wall);
   const std::string target = "[[" + section + "]] \"" + name + "\": wall = \"" + wall + "\"";
   if (found == assembly.geometry.walls.end()) {
     std::string known;
-    for (const std::string& other : wall_names(specimen.domain))
+    for (const auto& [other, faces] : assembly.geometry.walls)
       known += (known.empty() ? "" : ", ") + other;
+    if (known.empty() && assembly.specimen().outline != nullptr)
+      throw InputError(target +
+                       ": under a platonic law a body with cuts, or of a mesh, has no walls; "
+                       "expected [conduction] law = \"voronoi\", or a region");
     throw InputError(
         target + ": the body has no such wall; expected one of " +
         (known.empty()

@@ -125,7 +125,7 @@ std::unique_ptr<HeatSpread> spread_of(const HeatSourceParameters& source, Assemb
   std::vector<CellSolid> solids = heat_solids(assembly, lower, upper);
   std::vector<double> cell(assembly.model.elements(), 0.0), share = which_conduct(assembly);
   for (const CellSolid& of : solids)
-    cell[static_cast<std::size_t>(of.element)] += (of.is_in_hole ? -1 : 1) * volume(of.solid);
+    cell[static_cast<std::size_t>(of.element)] += (of.is_taken_away ? -1 : 1) * volume(of.solid);
   for (std::size_t i = 0; i < share.size(); ++i)
     if (cell[i] > 0) share[i] *= assembly.geometry.volume[i] / cell[i];
   return std::make_unique<HeatSpread>(std::move(solids), std::move(part), source.position,

@@ -109,7 +109,8 @@ std::vector<ElementValue> HeatSpread::exact(const Vector& position) const {
   });
   for (std::size_t k = 0; k < met.size(); ++k) {
     const CellSolid& cell = met[k].first->cell;
-    if (amount[k] > 0) amounts.push_back({cell.element, cell.is_in_hole ? -amount[k] : amount[k]});
+    if (amount[k] > 0)
+      amounts.push_back({cell.element, cell.is_taken_away ? -amount[k] : amount[k]});
   }
   std::stable_sort(
       amounts.begin(), amounts.end(),

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "laws/constants.hpp"
 
@@ -38,13 +39,24 @@ void sort_about(const Vector& normal, std::vector<Vector>& points) {
   points.erase(std::unique(points.begin(), points.end(), same), points.end());
 }
 
+/// A plane, and how near to it what counts as on it.
+struct Knife {
+  Vector normal;
+  double offset, margin;
+
+  double over(const Vector& point) const {
+    const double distance = dot(normal, point) - offset;
+    return std::fabs(distance) <= margin ? 0 : distance;
+  }
+};
+
 /// The part of a face where normal · x ≤ offset; where it is cut, the cuts join the rim.
-std::vector<Vector> clipped_face(const std::vector<Vector>& face, const Vector& normal,
-                                 double offset, std::vector<Vector>& rim, bool& is_cut) {
+std::vector<Vector> clipped_face(const std::vector<Vector>& face, const Knife& knife,
+                                 std::vector<Vector>& rim, bool& is_cut) {
   std::vector<Vector> kept;
   for (std::size_t k = 0; k < face.size(); ++k) {
     const Vector &a = face[k], &b = face[(k + 1) % face.size()];
-    const double over_a = dot(normal, a) - offset, over_b = dot(normal, b) - offset;
+    const double over_a = knife.over(a), over_b = knife.over(b);
     is_cut = is_cut || over_a > 0;
     if (over_a <= 0) kept.push_back(a);
     if (over_a == 0) rim.push_back(a);
@@ -236,16 +248,38 @@ Polyhedron ball_of_facets(const Vector& centre, double volume_of_ball) {
 }
 
 Polyhedron clipped(const Polyhedron& solid, const Vector& normal, double offset) {
+  std::vector<int> source;
+  return clipped(solid, normal, offset, 0, source);
+}
+
+Polyhedron clipped(const Polyhedron& solid, const Vector& normal, double offset, double margin,
+                   std::vector<int>& source) {
   Polyhedron rest;
   std::vector<Vector> rim;
-  bool is_cut = false;
-  for (const std::vector<Vector>& face : solid.faces) {
-    std::vector<Vector> kept = clipped_face(face, normal, offset, rim, is_cut);
-    if (kept.size() > 2) rest.faces.push_back(std::move(kept));
+  bool is_cut = false, has_inside = false;
+  source.clear();
+  const Knife knife{normal, offset, margin};
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    std::vector<Vector> kept = clipped_face(solid.faces[f], knife, rim, is_cut);
+    if (kept.size() < 3) continue;
+    has_inside = has_inside || std::any_of(kept.begin(), kept.end(),
+                                           [&](const Vector& p) { return knife.over(p) < 0; });
+    rest.faces.push_back(std::move(kept));
+    source.push_back(static_cast<int>(f));
   }
-  if (!is_cut) return solid;
+  if (!is_cut) {
+    source.resize(solid.faces.size());
+    std::iota(source.begin(), source.end(), 0);
+    return solid;
+  }
+  if (!has_inside) {
+    source.clear();
+    return {};
+  }
   sort_about(normal, rim);
-  if (!rest.empty() && rim.size() > 2) rest.faces.push_back(std::move(rim));
+  if (rim.size() < 3) return rest;
+  rest.faces.push_back(std::move(rim));
+  source.push_back(-1);
   return rest;
 }
 

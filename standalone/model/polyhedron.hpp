@@ -36,6 +36,11 @@ std::vector<Vector> even_directions(int count);
 /// What lies where normal · x ≤ offset; `normal` has unit length.
 Polyhedron clipped(const Polyhedron& solid, const Vector& normal, double offset);
 
+/// The same, with corners within a margin, m, of the plane counted as on it. `source` is told of
+/// each face that is left which of the solid's faces it is of, −1: of the cut.
+Polyhedron clipped(const Polyhedron& solid, const Vector& normal, double offset, double margin,
+                   std::vector<int>& source);
+
 /// Lower and upper corner of the box around it, m. It must not be empty.
 std::pair<Vector, Vector> bounds(const Polyhedron& solid);
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@
 namespace solidem {
 
 using Vector = Vector3<double>;
+
+struct Outline;  // model/outline.hpp
 
 /// Two bonded elements, i < j.
 struct Pair {
@@ -79,6 +82,9 @@ struct Specimen {
   std::map<std::string, std::vector<std::int32_t>> sets;  ///< named groups of elements
   std::map<std::string, double> report;                   ///< figures of the packing, by name
   std::vector<Body> bodies;  ///< where there are several; each element is in one
+  /// Where the body's cuts are, and the mesh that bounds it; null where `domain` tells all, or
+  /// nobody knows.
+  std::shared_ptr<const Outline> outline{};
 
   std::size_t size() const { return position.size(); }
 };

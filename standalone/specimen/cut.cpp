@@ -160,33 +160,20 @@ void keep(Specimen& specimen, const std::vector<bool>& stays) {
 
 }  // namespace
 
-double Cut::distance(const Vector& point) const {
-  if (mesh != nullptr) return std::max(0.0, mesh->signed_distance(point));
-  Vector local = rotate(conjugate(turned), point - part.offset);
-  if (part.kind == Shape::Kind::sphere) return std::max(0.0, norm(local) - part.radius);
-  for (int k = 0; k < 3; ++k) {
-    if (part.kind == Shape::Kind::cylinder && k != part.axis) continue;
-    const double half = half_extent(part, k);
-    component(local, k) = std::max(0.0, std::abs(component(local, k)) - half);
-  }
-  if (part.kind == Shape::Kind::box) return norm(local);
-  const double beyond = component(local, part.axis);
-  component(local, part.axis) = 0;
-  return std::hypot(beyond, std::max(0.0, norm(local) - part.radius));
-}
-
-void cut_out(Specimen& specimen, const std::vector<Cut>& cuts, const FacetTree* surface) {
+void cut_out(Specimen& specimen, const std::vector<Cut>& cuts,
+             std::shared_ptr<const FacetTree> surface) {
   if (cuts.empty()) return;
   Domain& body = specimen.domain;
   if (body.cuts > 0 || (surface == nullptr && !body.has_walls()))
     throw InputError("cut: the body of the file is " +
-                     (body.cuts > 0 ? std::string("cut already, and the file does not tell where")
+                     (body.cuts > 0 ? std::string("cut already")
                                     : "a " + body.shape + ", of which no shape is known") +
                      ": expected a whole body of a known shape");
-  const double left = checked_volume(body, cuts, surface);
+  const double left = checked_volume(body, cuts, surface.get());
   keep(specimen, outside_of(specimen, cuts));
   body.volume = left;
   body.cuts = static_cast<int>(cuts.size());
+  specimen.outline = std::make_shared<const Outline>(Outline{std::move(surface), cuts});
 }
 
 }  // namespace solidem

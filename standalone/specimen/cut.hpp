@@ -8,30 +8,18 @@
 #include <memory>
 #include <vector>
 
-#include "model/facet_tree.hpp"
-#include "model/shape.hpp"
-#include "model/specimen.hpp"
+#include "model/outline.hpp"
 
 namespace solidem {
 
-/// A part that is taken out of a body: a simple solid, turned about its centre, or what a closed
-/// mesh bounds.
-struct Cut {
-  Shape::Part part;  ///< `offset` is where its centre is
-  Quaternion<double> turned{};
-  bool takes_touched = false;               ///< elements that reach into it go, too
-  std::shared_ptr<const FacetTree> mesh{};  ///< where it is put; then it is no part
-
-  /// From a point to the solid, m; 0 inside.
-  double distance(const Vector& point) const;
-};
-
 /// Takes the elements with their centres in the cuts out of a specimen of one body that has a
-/// shape, and their volume out of the body's. `surface`: of a body that is a mesh, else null. Sets
-/// follow, bonds are dropped. Throws InputError when a cut takes away no volume or no element, or
-/// leaves none; when one is narrower than an element, so that bonds would join what it parts; when
-/// cuts reach through a periodic side; when the body's shape is not known.
-void cut_out(Specimen& specimen, const std::vector<Cut>& cuts, const FacetTree* surface = nullptr);
+/// shape, and their volume out of the body's; both stand in the specimen's outline. `surface`: of a
+/// body that is a mesh, else null. Sets follow, bonds are dropped. Throws InputError when a cut
+/// takes away no volume or no element, or leaves none; when one is narrower than an element, so
+/// that bonds would join what it parts; when cuts reach through a periodic side; when the body's
+/// shape is not known.
+void cut_out(Specimen& specimen, const std::vector<Cut>& cuts,
+             std::shared_ptr<const FacetTree> surface = {});
 
 /// The volume that cuts leave of a body, m³. Exact to round-off where no two round surfaces (of
 /// cuts, of the body) meet; where they do, one of them counts as facets there, and the volume is

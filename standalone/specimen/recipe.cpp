@@ -31,11 +31,12 @@ Specimen make_specimen(const SpecimenRecipe& recipe, const ReportProgress& progr
     return specimen;
   }
   const bool crystal = recipe.shape == "crystal";
-  std::optional<FacetTree> surface;
-  if (recipe.shape == "mesh") surface.emplace(surface_of(recipe));
-  const FacetTree* const mesh = surface ? &*surface : nullptr;
-  Specimen specimen = crystal ? make_crystal(recipe) : make_packing(recipe, progress, mesh);
-  cut_out(specimen, recipe.cuts, mesh);
+  std::shared_ptr<const FacetTree> surface;
+  if (recipe.shape == "mesh") surface = std::make_shared<const FacetTree>(surface_of(recipe));
+  Specimen specimen =
+      crystal ? make_crystal(recipe) : make_packing(recipe, progress, surface.get());
+  if (surface != nullptr) specimen.outline = std::make_shared<const Outline>(Outline{surface, {}});
+  cut_out(specimen, recipe.cuts, surface);
   make_bonds(specimen, 0.0);
   sort_elements(specimen);
   measure_specimen(specimen);

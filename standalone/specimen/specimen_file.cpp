@@ -13,6 +13,7 @@
 #include "output/replace_file.hpp"
 #include "specimen/body_lines.hpp"
 #include "specimen/cut_cells.hpp"
+#include "specimen/outline_file.hpp"
 #include "specimen/report.hpp"
 #include "specimen/shape.hpp"
 #include "specimen/text_formats.hpp"
@@ -113,6 +114,7 @@ void write_hdf5(const Hdf5File& file, const Specimen& specimen) {
 
   for (const auto& [name, members] : specimen.sets) file.write("sets/" + name, members);
   write_bodies(file, specimen);
+  if (specimen.outline != nullptr) write_outline(file, *specimen.outline);
 }
 
 // Whether positions came from a program that keeps them in single precision.
@@ -180,6 +182,7 @@ Specimen read_hdf5(const std::string& path) {
   }
 
   specimen.domain = read_domain(file.group("domain"));
+  specimen.outline = read_outline(file, specimen.domain);
 
   if (file.has("report")) {
     const Hdf5Group report = file.group("report");

@@ -31,25 +31,27 @@ struct Tessellation {
   std::vector<double> distance;  ///< of the centres through that face, m
   std::vector<double> volume;    ///< of each element's cell, m³; the sum is the body's volume
 
-  /// By the name of the wall, in the order of elements; each wall's areas sum to its exact area.
+  /// By the name of the wall, in the order of elements; the areas of a whole wall sum to its exact
+  /// area. Those of the shape; `surface` of a mesh; `cut_1`, `cut_2`, … of cuts.
   std::map<std::string, std::vector<WallFace>> walls;
 };
 
 /// Makes the cells. They fit together without gap: cells and walls are closed, Σ area × normal = 0,
-/// so that linear fields conduct exactly. Curved walls are flat facets that all cells share, under
-/// .002 R_m off and placed so that volume and section of the body are exact. The same on any number
-/// of threads.
-/// Throws InputError when the shape of the body is not known, when a centre lies outside the body,
-/// when larger spheres around an element leave no cell for it, or when the domain's volume is not
-/// that of its shape; RunError when the cells do not fill the body.
+/// so that linear fields conduct exactly. Curved walls and cuts are flat facets that all cells
+/// share, under .002 R_m off and placed so that volume and section of what they bound are exact. A
+/// cell is cut by the faces of cuts and meshes that reach it, which takes no account of whether its
+/// parts hang together. The same on any number of threads.
+/// Throws InputError when the outline of the body is not known, when a centre lies outside the
+/// body, when larger spheres around an element leave no cell for it, or when the domain's volume is
+/// not that of its shape; RunError when the cells do not fill the body.
 Tessellation tessellate(const Specimen& specimen);
 
-/// A convex solid of an element's cell: all of it, or the part of it that lies in a hole of the
-/// body and so does not count.
+/// A convex solid of an element's cell: all of it, or a part of it that lies outside of the body
+/// and counts with a minus. What several of these have in common stands once more, with a plus.
 struct CellSolid {
   std::int32_t element;
   Polyhedron solid;
-  bool is_in_hole = false;
+  bool is_taken_away = false;
 };
 
 /// The solids of the cells whose bounding boxes meet that between two corners, in the order of

@@ -74,6 +74,11 @@ std::vector<Wall> walls_of(const Domain& domain) {
   return walls;
 }
 
+std::vector<Wall> walls_of_shape(Domain domain) {
+  domain.cuts = 0;
+  return walls_of(domain);
+}
+
 std::vector<std::string> wall_names(const Domain& domain) {
   std::vector<std::string> names;
   for (const Wall& wall : walls_of(domain)) names.push_back(wall.name);

@@ -35,6 +35,9 @@ struct Wall {
 /// spheres alone, a mesh and one with cuts have none.
 std::vector<Wall> walls_of(const Domain& domain);
 
+/// Those of the shape before something was cut out of it.
+std::vector<Wall> walls_of_shape(Domain domain);
+
 /// The names alone.
 std::vector<std::string> wall_names(const Domain& domain);
 

@@ -136,3 +136,60 @@ def test_an_unknown_command_names_the_nearest(solidem):
     done = solidem("pepare", "scene.toml")
     assert done.returncode == 2
     assert "did you mean prepare?" in done.stderr
+
+
+BORED = CYLINDER[CYLINDER.index("[material]"):CYLINDER.index("[beams]")].replace(
+    '"platonic"', '"voronoi"') + """\
+[run]
+steps = 1
+[[temperatures]]
+name = "bore"
+wall = "cut_1"
+value = "350 K"
+[[convections]]
+name = "air"
+wall = "side"
+coefficient = "1000 W/(m^2 K)"
+temperature = "300 K"
+"""
+BORE = """[[specimen.cut]]
+shape = { kind = "cylinder", radius = "0.12 mm", axis = "z" }
+centre = ["0 mm", "0 mm", "0.5 mm"]
+"""
+
+
+def test_the_wall_of_a_bore_conducts_and_a_file_keeps_it(solidem):
+    """The conductance of the bore is that of rings as thick as half an element."""
+    solidem.scene("made.toml", RECIPE + BORE + BORED)
+    assert solidem("specimen", "made.toml", "-o", "bored.h5").returncode == 0
+    done = solidem("convert", "bored.h5", "bored.csv")
+    assert "where the cuts are stays behind" in done.stdout
+    solidem.scene("read.toml", '[specimen]\nfile = "bored.h5"\n' + BORED)
+    totals = []
+    for scene in ("made", "read"):
+        done = solidem("prepare", f"{scene}.toml", "-o", f"{scene}.prepared.h5")
+        assert done.returncode == 0, done.stderr
+        with h5py.File(solidem.folder / f"{scene}.prepared.h5") as file:
+            exchanges = file["conduction/exchanges"]
+            names = sorted(exchanges)
+            totals.append([file["conduction/heat_capacity"][:].sum()]
+                          + [exchanges[name]["conductance"][:].sum() for name in names])
+    assert totals[0] == totals[1] and len(totals[0]) == 3
+    volume = VOLUME - np.pi * 0.12e-3**2 * 1e-3
+    assert np.isclose(totals[0][0], 2700 * 880 * volume, rtol=1e-9, atol=0)
+    # Nothing but the film holds up the air: 1000 W/(m² K) over the side, in row with a thin ring.
+    assert 0.9 < min(totals[0][1:]) / (1000 * 2 * np.pi * 0.3e-3 * 1e-3) < 1
+
+
+def test_who_has_no_walls_at_cuts_is_told(solidem):
+    solidem.scene("platonic.toml", RECIPE + BORE + BORED.replace('"voronoi"', '"platonic"'))
+    done = solidem("prepare", "platonic.toml", "-o", "prepared.h5")
+    assert done.returncode == 2 and 'expected [conduction] law = "voronoi"' in done.stderr
+    solidem.scene("wrong.toml", RECIPE + BORE + BORED.replace("cut_1", "cut_2"))
+    done = solidem("prepare", "wrong.toml", "-o", "prepared.h5")
+    assert done.returncode == 2 and "expected one of cut_1, side, z_high, z_low" in done.stderr
+    solidem.scene("bored.toml", RECIPE + BORE + BORED)
+    assert solidem("specimen", "bored.toml", "-o", "bored.csv").returncode == 0
+    solidem.scene("text.toml", '[specimen]\nfile = "bored.csv"\n' + BORED)
+    done = solidem("prepare", "text.toml", "-o", "prepared.h5")
+    assert done.returncode == 2 and "does not tell where its cuts are" in done.stderr

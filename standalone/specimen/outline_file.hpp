@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The outline of a specimen in its HDF5 file: the group `outline`, with the mesh that bounds it in
+// `surface` and its cuts in `cuts`, by their number.
+#ifndef SOLIDEM_SPECIMEN_OUTLINE_FILE_HPP
+#define SOLIDEM_SPECIMEN_OUTLINE_FILE_HPP
+
+#include <memory>
+
+#include "model/outline.hpp"
+
+namespace solidem {
+
+class Hdf5File;
+
+void write_outline(const Hdf5File& file, const Outline& outline);
+
+/// Null where the file has none. Throws InputError where what it has bounds no body, or not this
+/// one.
+std::shared_ptr<const Outline> read_outline(const Hdf5File& file, const Domain& body);
+
+}  // namespace solidem
+
+#endif
