@@ -137,6 +137,22 @@ class Beams:
 
 
 @dataclass(frozen=True)
+class OverTemperature:
+    """A property over temperature: linear between points, held outside; one point is a constant."""
+
+    temperature: tuple[float, ...]  #: K, increasing
+    value: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Expansion:
+    """How bonds grow as they warm."""
+
+    coefficient: OverTemperature  #: 1/K
+    reference_temperature: float  #: at which the body is as large as its specimen, K
+
+
+@dataclass(frozen=True)
 class Plasticity:
     """When beams flow; strains are stresses over the beams' E."""
 
@@ -146,6 +162,7 @@ class Plasticity:
     hardening: str = "linear"  #: the yield law
     parameters: dict[str, float] = field(default_factory=dict)  #: of the yield law by name
     section: str = "middle"  #: where a beam is judged: "middle", "ends" or "worst"
+    rate_time: float | None = None  #: over which the rate of flow is averaged, if it counts, s
 
 
 @dataclass(frozen=True)
@@ -289,6 +306,16 @@ class Parameters:
     bond_damping: float = 0.0  #: critical ratio of the dashpots of bonds
     tools: tuple[Tool, ...] = ()
     initial_velocities: bool = False  #: whether elements move when a run begins
+    expansion: Expansion | None = None
+    softening: OverTemperature | None = None  #: moduli over those of the beams
+    plastic_heat: float = 0.0  #: of the plastic work of bonds that heats their ends
+
+    @property
+    def joins_heat_and_motion(self) -> bool:
+        """Whether motion heats, or bonds look at temperatures."""
+        yields_warm = (self.plasticity is not None
+                       and self.plasticity.parameters.get("melting_temperature") is not None)
+        return bool(self.expansion or self.softening or self.plastic_heat or yields_warm)
 
     @property
     def is_loose(self) -> bool:
@@ -452,6 +479,34 @@ def _conduction(law: dict[str, Any], unsupported: list[str]) -> Conduction:
         law.get("law", "platonic"), float(law.get("area_factor") or 1.0))
 
 
+def _over_temperature(value: Any, name: str, unsupported: list[str]) -> OverTemperature | None:
+    """A property as `solidem explain` tells it; one that differs from place to place is
+    unsupported."""
+    if isinstance(value, (int, float)):
+        return OverTemperature((0.0,), (float(value),))
+    if isinstance(value, dict):
+        return OverTemperature(tuple(map(float, value["temperature"])),
+                               tuple(map(float, value["value"])))
+    unsupported.append(f"{name} is {value}; only one for the whole body is understood")
+    return None
+
+
+def _expansion(laws: dict[str, Any], unsupported: list[str]) -> Expansion | None:
+    """Expansion from what the scene says of it and of conduction."""
+    if not laws.get("expansion"):
+        return None
+    law = laws["expansion"]
+    alpha = _over_temperature(law.get("expansion_coefficient"), "expansion_coefficient", unsupported)
+    reference = law.get("reference_temperature")
+    if reference is None:
+        reference = laws["conduction"]["initial_temperature"]
+    return None if alpha is None else Expansion(alpha, float(reference))
+
+
+def _softening(law: dict[str, Any] | None, unsupported: list[str]) -> OverTemperature | None:
+    return _over_temperature(law["modulus_ratio"], "modulus_ratio", unsupported) if law else None
+
+
 def _temperatures(entries: list[dict[str, Any]], unsupported: list[str]) -> dict[str, float]:
     """Imposed temperatures that stay the same; others are unsupported."""
     found = {}
@@ -478,7 +533,8 @@ def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
     if law is None:
         return None
     parameters = {name: float(value) for name, value in law.items()
-                  if isinstance(value, (int, float)) and name != "minimal_bonds"}
+                  if isinstance(value, (int, float))
+                  and name not in ("minimal_bonds", "rate_time")}
     return replace(_known(kind, law), parameters=parameters)
 
 
@@ -486,7 +542,8 @@ def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
 #: test holds them to the sections of the program.
 KNOWN_SECTIONS = {"beams", "plasticity", "rupture", "contact", "damage", "central_forces", "grips",
                   "gravity", "damping", "conduction", "thermal_contacts", "heat_sources",
-                  "heat_fluxes", "convections", "temperatures", "initial_velocities", "tools"}
+                  "heat_fluxes", "convections", "temperatures", "initial_velocities", "tools",
+                  "plastic_heat", "expansion", "softening"}
 
 
 def _unknown_sections(effects: list[dict[str, str]]) -> list[str]:
@@ -496,11 +553,10 @@ def _unknown_sections(effects: list[dict[str, str]]) -> list[str]:
 
 
 def _state_of_yield(law: dict[str, Any]) -> list[str]:
-    """What to say of a yield law that looks at more than the plastic strain."""
-    looks = [what for what, is_looked_at in (
-        ("the rate of flow", law.get("rate_sensitivity", 0) > 0),
-        ("temperature", law.get("melting_temperature") is not None)) if is_looked_at]
-    return [f"plasticity that depends on {what} is not understood" for what in looks]
+    """What to say of a yield law that looks at the rate of flow."""
+    if law.get("rate_sensitivity", 0) > 0 and law.get("rate_time") is None:
+        return ["plasticity that depends on the rate of flow needs rate_time in [plasticity]"]
+    return []
 
 
 def parse_parameters(explained: dict[str, Any]) -> Parameters:
@@ -528,6 +584,8 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         if not entry["constant"]:
             unsupported.append(f"heat source {entry['name']}: varies; only constants in elements "
                                "that stay the same are understood")
+    expansion = _expansion(laws, unsupported)
+    softening = _softening(laws.get("softening"), unsupported)
     return Parameters(
         float(explained["time_step"]["value"]),
         int(explained["steps"]),
@@ -548,6 +606,9 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         float(laws.get("damping", {}).get("bonds") or 0.0),
         tools,
         bool(explained.get("initial_velocities")),
+        expansion,
+        softening,
+        float((laws.get("plastic_heat") or {}).get("fraction") or 0.0),
     )
 
 

@@ -92,6 +92,15 @@ def _damage_columns(parameters: Parameters) -> dict[str, tuple[str, ...]]:
     return columns
 
 
+def _resumed(script: str) -> str:
+    """The script that goes on from half.restart: that has the bonds, the groups and what atoms have
+    been given. The result begins there."""
+    kept = [line for line in script.splitlines(keepends=True)
+            if not line.startswith(("units", "atom_style", "boundary", "newton", "bond_", "group",
+                                    "velocity", "run 0", "variable sources", "set "))]
+    return "".join(kept).replace("read_data specimen.data", "read_restart half.restart")
+
+
 def _imposed_energy(job: Job) -> float:
     """Energy of motion that grips impose, J, which counts nowhere."""
     radius = job.specimen.radius
@@ -163,10 +172,12 @@ def _heat_of_the_start(job: Job, column: str) -> float:
 
 @dataclass
 class Liggghts:
-    """LIGGGHTS-PUBLIC 3.8.0 with our styles, serial."""
+    """LIGGGHTS-PUBLIC 3.8.0 with our styles."""
 
     name: str = "liggghts"
     program: Path | None = None  #: None: the one that build_prebuilt makes
+    ranks: int = 1
+    restarts: bool = False  #: whether a run ends half-way and goes on from a restart file
 
     def missing(self) -> str | None:
         """Why LIGGGHTS cannot be used; builds the styles on first call."""
@@ -189,7 +200,9 @@ class Liggghts:
         if reason := self.missing():
             raise CodeFailure(reason)
         assert self.program is not None
-        run_program([self.program, "-in", "in.script"], directory, timeout,
+        ranks = (["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(self.ranks)]
+                 if self.ranks > 1 else [])
+        run_program([*ranks, self.program, "-in", "in.script"], directory, timeout,
                     {"OMP_NUM_THREADS": "1"})
         log = (directory / "output.log").read_text(errors="replace")
         found = re.findall(r"Loop time of (\S+) on", log)
@@ -249,8 +262,11 @@ class Liggghts:
         headings = [h for parts in columns.values() for h in parts]
         script += f"dump frames all custom {job.frame_every} frames.dump id {' '.join(headings)}\n"
         script += f'dump_modify frames sort id format "%d{" %.17g" * len(headings)}"\n'
-        script += f"run {parameters.steps}\n"
-        wall = self._execute(script, directory, job.timeout)
+        done = parameters.steps // 2 if self.restarts else 0
+        if self.restarts:
+            self._execute(f"{script}run {done}\nwrite_restart half.restart\n", directory, job.timeout)
+            script = _resumed(script)
+        wall = self._execute(f"{script}run {parameters.steps - done}\n", directory, job.timeout)
         frames = read_dump(directory / "frames.dump", columns, parameters.time_step, self.name)
         pairs = specimen.pairs if parameters.central_forces else bonds
         return Result(self.name, len(specimen.radius), len(pairs), parameters.steps,

@@ -29,11 +29,13 @@ from contrib.liggghts.contacts import (Types, differences, full, has_contacts,  
                                        has_meshes, pair_lines, require_same_law, tool_lines, tool_places,
                                        types_of)
 from contrib.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # noqa: E402
-                              Grip, Integers, Parameters, Plasticity, PreparedError, Rupture,
-                              Specimen, parse_parameters, read_specimen)
+                              Grip, Integers, OverTemperature, Parameters, Plasticity,
+                              PreparedError, Rupture, Specimen, parse_parameters, read_specimen)
 
 #: Of the mean radius: how much farther lists look where there are contacts.
 SKIN = 0.2
+#: Of a property over temperature that bond_coeff takes.
+MOST_POINTS = 16
 
 HEAD = """\
 units           si
@@ -165,6 +167,7 @@ def bond_words(beams: Beams, plasticity: Plasticity | None = None, rupture: Rupt
         else:
             words += [plasticity.hardening, *_law_words(plasticity.parameters)]
         words += ["yield_section", plasticity.section] if plasticity.section != "middle" else []
+        words += ["rate_time", full(plasticity.rate_time)] if plasticity.rate_time else []
     if rupture and rupture.law != "strain-limit":
         words += ["rupture", rupture.law, *_law_words(rupture.parameters)]
     if rupture and np.isfinite(rupture.elastic_strain):
@@ -179,6 +182,30 @@ def bond_words(beams: Beams, plasticity: Plasticity | None = None, rupture: Rupt
             words += ["rebonding_pressure", full(contact.rebonding_pressure)]
     words += ["damping", full(damping)] if damping else []
     return " ".join(words)
+
+
+def warmth_words(parameters: Parameters) -> str:
+    """What bond_coeff says of heat, after all else; begins with a blank if there is any."""
+    words: list[str] = []
+    if parameters.expansion:
+        words += ["expansion", *_over_temperature_words(parameters.expansion.coefficient),
+                  "from", full(parameters.expansion.reference_temperature)]
+    if parameters.softening:
+        words += ["softening", *_over_temperature_words(parameters.softening)]
+    if parameters.plastic_heat:
+        words += ["plastic_heat", full(parameters.plastic_heat)]
+    return "".join(f" {word}" for word in words)
+
+
+def _over_temperature_words(known: OverTemperature) -> list[str]:
+    """A number, or the points of a table."""
+    if len(known.value) == 1:
+        return [full(known.value[0])]
+    if len(known.value) > MOST_POINTS:
+        raise PreparedError(f"a property over temperature has {len(known.value)} points; LIGGGHTS "
+                            f"takes {MOST_POINTS} at most")
+    points = zip(known.temperature, known.value)
+    return ["table", str(len(known.value)), *(full(x) for point in points for x in point)]
 
 
 def _law_words(parameters: dict[str, float]) -> list[str]:
@@ -198,7 +225,7 @@ def beam_lines(specimen: Specimen, parameters: Parameters, directory: Path = Pat
     parameters.beams.rigidity(specimen)
     of_broken_bonds = parameters.contact if parameters.rupture else None
     words = bond_words(parameters.beams, parameters.plasticity, parameters.rupture,
-                       of_broken_bonds, parameters.bond_damping)
+                       of_broken_bonds, parameters.bond_damping) + warmth_words(parameters)
     minimal = parameters.rupture.minimal_bonds if parameters.rupture else 0
     lines = f"bond_style solidem/beam\nbond_coeff 1 {words}\nfix bonds all solidem/bonds"
     lines += f" minimal_bonds {minimal}\n" if minimal else "\n"

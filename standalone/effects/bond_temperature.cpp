@@ -13,6 +13,7 @@
 #include "effects/bond_slot.hpp"
 #include "effects/conduction_parameters.hpp"
 #include "effects/effect_kind.hpp"
+#include "effects/temperature_function_json.hpp"
 #include "keys/rules.hpp"
 #include "laws/heat_exchange.hpp"
 #include "model/blocks.hpp"
@@ -297,6 +298,12 @@ EffectKind expansion_kind() {
   EffectKind kind = kind_of_warm_beams<ExpansionParameters>("expansion", expansion_keys,
                                                             as_read<ExpansionParameters>);
   kind.plan = plan_expansion;
+  kind.explain = [values = kind.explain](const Setup& setup, const Specimen& specimen,
+                                         nlohmann::ordered_json& json) {
+    values(setup, specimen, json);
+    if (setup.materials.size() == 1)
+      json["expansion_coefficient"] = to_json(setup.materials[0].expansion_coefficient);
+  };
   kind.example =
       "[expansion]\n"
       "reference_temperature = \"290 K\"\n";
@@ -307,6 +314,10 @@ EffectKind softening_kind() {
   EffectKind kind =
       kind_of_warm_beams<SofteningParameters>("softening", softening_keys, finish_softening);
   kind.plan = plan_softening;
+  kind.explain = [](const Setup& setup, const Specimen& /*specimen*/,
+                    nlohmann::ordered_json& json) {
+    json["modulus_ratio"] = to_json(setup.get<SofteningParameters>()->modulus_ratio);
+  };
   kind.example =
       "[softening]\n"
       "modulus_ratio = { temperature = [\"290 K\", \"700 K\"], value = [1, 0.5] }\n";

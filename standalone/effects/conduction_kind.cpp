@@ -12,6 +12,7 @@
 #include "effects/friction_heat.hpp"
 #include "effects/heat_clock.hpp"
 #include "effects/plastic_heat.hpp"
+#include "effects/temperature_function_json.hpp"
 #include "keys/rules.hpp"
 
 namespace solidem {
@@ -124,12 +125,6 @@ void plan_conduction(const Setup& setup, Plan& plan) {
            return std::make_unique<HeatClock>(conduction);
          }});
   if (provides(setup, Provides::motion)) note_what_stays_apart(setup, plan);
-}
-
-/// A constant as a number, a table as {temperature, value}.
-nlohmann::ordered_json to_json(const TemperatureFunction& f) {
-  if (f.is_constant()) return f(0);
-  return {{"temperature", f.temperatures()}, {"value", f.values()}};
 }
 
 /// The entry of a table of surfaces between materials, as it is read.

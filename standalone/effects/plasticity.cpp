@@ -67,6 +67,7 @@ EffectKind plasticity_kind() {
     values["section"] = name_of(p.section);
     values["hardening"] = name_of(p.hardening);
     add_parameters(values, p.hardening);
+    if (p.rate_time) values["rate_time"] = *p.rate_time;
   };
   return kind;
 }

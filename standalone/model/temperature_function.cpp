@@ -4,35 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laws/interpolation.hpp"
+
 namespace solidem {
 
+namespace {
+
+TablePoints points_of(const std::vector<double>& temperature, const std::vector<double>& value,
+                      const std::vector<double>& integral) {
+  return {static_cast<int>(value.size()), temperature.data(), value.data(), integral.data()};
+}
+
+}  // namespace
+
 TemperatureFunction::TemperatureFunction(std::vector<double> temperature, std::vector<double> value)
-    : temperature_(std::move(temperature)), value_(std::move(value)), integral_{0} {
-  for (std::size_t k = 1; k < value_.size(); ++k)
-    integral_.push_back(integral_.back() + 0.5 * (value_[k - 1] + value_[k]) *
-                                               (temperature_[k] - temperature_[k - 1]));
+    : temperature_(std::move(temperature)), value_(std::move(value)), integral_(value_.size()) {
+  integrate_table(static_cast<int>(value_.size()), temperature_.data(), value_.data(),
+                  integral_.data());
 }
 
 double TemperatureFunction::operator()(double temperature) const {
-  if (is_constant() || temperature <= temperature_.front()) return value_.front();
-  if (temperature >= temperature_.back()) return value_.back();
-  const auto next = std::upper_bound(temperature_.begin(), temperature_.end(), temperature);
-  const auto k = static_cast<std::size_t>(next - temperature_.begin());
-  const double fraction =
-      (temperature - temperature_[k - 1]) / (temperature_[k] - temperature_[k - 1]);
-  return value_[k - 1] + fraction * (value_[k] - value_[k - 1]);
+  return interpolate(points_of(temperature_, value_, integral_), temperature);
 }
 
 double TemperatureFunction::integral(double temperature) const {
-  if (is_constant() || temperature <= temperature_.front())
-    return value_.front() * (temperature - temperature_.front());
-  if (temperature >= temperature_.back())
-    return integral_.back() + value_.back() * (temperature - temperature_.back());
-  const auto next = std::upper_bound(temperature_.begin(), temperature_.end(), temperature);
-  const auto k = static_cast<std::size_t>(next - temperature_.begin()) - 1;
-  const double above = temperature - temperature_[k];
-  const double slope = (value_[k + 1] - value_[k]) / (temperature_[k + 1] - temperature_[k]);
-  return integral_[k] + above * (value_[k] + 0.5 * slope * above);
+  return integrate(points_of(temperature_, value_, integral_), temperature);
 }
 
 double TemperatureFunction::inverse_integral(double integral) const {

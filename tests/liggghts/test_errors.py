@@ -52,16 +52,68 @@ WRONG = {
         BEAM.replace("0.3", "0.3 plasticity radial-return ludvik yield_strain 1e-3"),
         "unknown hardening 'ludvik'; known are linear, voce, johnson-cook",
     ),
-    "a rate that bonds do not know": (
+    "a rate without its time": (
         BEAM.replace("0.3", "0.3 plasticity radial-return johnson-cook yield_strain 1e-3 "
                             "hardening_strain 1e-3 hardening_exponent 0.3 rate_sensitivity 0.02"),
-        "bonds do not know their rate of flow here",
+        "a yield law that looks at the rate of flow needs rate_time",
+    ),
+    "a time of rates that do not count": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return 1e6 0 rate_time 1e-6"),
+        "rate_time needs a yield law that looks at the rate of flow",
+    ),
+    "expansion without its reference": (
+        BEAM.replace("0.3", "0.3 expansion 2e-5 to 300"),
+        "after the coefficient of expansion comes 'from'",
+    ),
+    "a table that goes back": (
+        BEAM.replace("0.3", "0.3 softening table 2 400 1 300 0.5"),
+        "the temperatures of softening must increase",
+    ),
+    "a table too long": (
+        BEAM.replace("0.3", "0.3 softening table 17 400 1"),
+        "the table of softening has a whole number of points, 1 to 16",
+    ),
+    "a stiffness that vanishes": (
+        BEAM.replace("0.3", "0.3 softening 0"),
+        "softening must be positive",
+    ),
+    "more heat than work": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return 1e6 0 plastic_heat 1.1"),
+        "plastic_heat must not be above 1",
+    ),
+    "heat of no flow": (
+        BEAM.replace("0.3", "0.3 plastic_heat 0.9"),
+        "plastic_heat needs plasticity: else no bond flows",
+    ),
+    "bonds made anew that expand": (
+        BEAM.replace("0.3", "0.3 rupture_stress 1e6 contact 1 rebonding_pressure 1e6 "
+                            "expansion 2e-5 from 300"),
+        "rebonding_pressure does not go with expansion",
+    ),
+    "bonds that expand without temperatures": (
+        BEAM.replace("0.3", "0.3 expansion 2e-5 from 300")
+        + "fix bonds all solidem/bonds\nfix motion all nve/solidem\nrun 0\n",
+        "expansion, softening and yield laws that look at temperature need a "
+        "'fix ID all solidem/conduction'",
+    ),
+    "heat of flow that nobody takes": (
+        BEAM.replace("0.3", "0.3 plasticity radial-return 1e6 0 plastic_heat 0.9")
+        + "fix bonds all solidem/bonds\nfix motion all nve/solidem\nrun 0\n",
+        "plastic_heat needs a 'fix ID all solidem/conduction'",
+    ),
+    "bonds made in the run that expand": (
+        BEAM.replace("0.3", "0.3 expansion 2e-5 from 300")
+        + "fix bonds all solidem/bonds\nfix motion all nve/solidem\n"
+        + HEAT + "initial_temperature 300\n"
+        + "fix make all solidem/bond/create step 0 type 1 tolerance 0.1\nrun 0\n",
+        "leave out expansion",
     ),
     "a temperature that bonds do not know": (
         BEAM.replace("0.3", "0.3 plasticity radial-return johnson-cook yield_strain 1e-3 "
                             "hardening_strain 1e-3 hardening_exponent 0.3 "
-                            "reference_temperature 300 melting_temperature 900"),
-        "bonds do not know their temperature here",
+                            "reference_temperature 300 melting_temperature 900")
+        + "fix bonds all solidem/bonds\nfix motion all nve/solidem\nrun 0\n",
+        "look at temperature need a 'fix ID all solidem/conduction'",
     ),
     "hardening without a parameter": (
         BEAM.replace("0.3", "0.3 plasticity radial-return voce yield_strain 1e-3 plastic_scale 1"),

@@ -79,8 +79,8 @@ def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str)
 
 @pytest.mark.parametrize("section, laws, words", [
     ("centrifugal_load", {}, r"\[centrifugal_load\] is not understood"),
-    ("plastic_heat", {}, r"\[plastic_heat\] is not understood"),
-    ("expansion", {}, r"\[expansion\] is not understood"),
+    ("friction_heat", {}, r"\[friction_heat\] is not understood"),
+    ("contact_conduction", {}, r"\[contact_conduction\] is not understood"),
     ("conduction", {"conduction": {"every": 5}}, "waits for several steps of the motion"),
     ("damping", {"damping": {"viscous": 100.0}}, "viscous damping is not understood"),
 ])

@@ -48,6 +48,8 @@ BondSolidemBeam::BondSolidemBeam(LAMMPS* liggghts)
       orientation(NULL),
       motion_at_pose(NULL),
       motion_before(NULL),
+      temperature(NULL),
+      waiting_heat(NULL),
       after_setup_(true),
       damping_power_(0.0),
       damping_power_now_(0.0),
@@ -75,6 +77,21 @@ bool BondSolidemBeam::bears_moments() const {
                      [](const SolidemBeam& beam) { return beam.law != SolidemBeam::SPRING; });
 }
 
+bool BondSolidemBeam::follows_temperature() const {
+  return std::any_of(beams.begin() + 1, beams.end(),
+                     [](const SolidemBeam& beam) { return beam.follows_temperature(); });
+}
+
+bool BondSolidemBeam::gives_heat() const {
+  return std::any_of(beams.begin() + 1, beams.end(),
+                     [](const SolidemBeam& beam) { return beam.plastic_heat > 0.0; });
+}
+
+bool BondSolidemBeam::may_expand() const {
+  return std::any_of(beams.begin() + 1, beams.end(),
+                     [](const SolidemBeam& beam) { return beam.expands(); });
+}
+
 void BondSolidemBeam::init_style() {
   if (!atom->sphere_flag)
     error->all(FLERR, "Bond style solidem/beam needs 'atom_style hybrid granular molecular'");
@@ -89,6 +106,7 @@ void BondSolidemBeam::init_style() {
                "('newton off on')");
   orientation = static_cast<FixPropertyAtom*>(modify->find_fix_property(
       "orientation", "property/atom", "vector", 4, 0, "bond solidem/beam"));
+  find_heat();
   motion_at_pose = motion_before = NULL;
   if (!may_damp()) return;
   if (!comm->ghost_velocity)
@@ -99,17 +117,45 @@ void BondSolidemBeam::init_style() {
       "motionBefore", "property/atom", "vector", 6, 0, "bond solidem/beam"));
 }
 
+/* ----------------------------------------------------------------------
+   temperatures are those of whoever keeps the property Temp; heat of flow is
+   given to atoms by fix solidem/conduction alone
+------------------------------------------------------------------------- */
+
+void BondSolidemBeam::find_heat() {
+  temperature = waiting_heat = NULL;
+  if (follows_temperature()) {
+    temperature = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+        "Temp", "property/atom", "scalar", 0, 0, "bond solidem/beam", false));
+    if (!temperature)
+      error->all(FLERR,
+                 "Bond style solidem/beam: expansion, softening and yield laws that look at "
+                 "temperature need a 'fix ID all solidem/conduction'");
+  }
+  if (!gives_heat()) return;
+  if (modify->n_fixes_style_strict("solidem/conduction") != 1)
+    error->all(FLERR,
+               "Bond style solidem/beam: plastic_heat needs a 'fix ID all solidem/conduction'");
+  waiting_heat = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+      "waitingHeat", "property/atom", "scalar", 0, 0, "bond solidem/beam"));
+}
+
 SolidemBondEnds BondSolidemBeam::ends(int& i, int& j) const {
   if (atom->tag[i] > atom->tag[j]) std::swap(i, j);
   const double* a = atom->x[i];
   const double* b = atom->x[j];
   const double* p = orientation->array_atom[i];
   const double* q = orientation->array_atom[j];
-  return {Vector{b[0], b[1], b[2]} - Vector{a[0], a[1], a[2]},
-          {p[0], {p[1], p[2], p[3]}},
-          {q[0], {q[1], q[2], q[3]}},
-          atom->radius[i],
-          atom->radius[j]};
+  SolidemBondEnds place = {Vector{b[0], b[1], b[2]} - Vector{a[0], a[1], a[2]},
+                           {p[0], {p[1], p[2], p[3]}},
+                           {q[0], {q[1], q[2], q[3]}},
+                           atom->radius[i],
+                           atom->radius[j]};
+  place.time_step = update->dt;
+  if (!temperature) return place;
+  place.temperature_i = temperature->vector_atom[i];
+  place.temperature_j = temperature->vector_atom[j];
+  return place;
 }
 
 double BondSolidemBeam::owned_fraction(int i, int j) const {
@@ -124,6 +170,7 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
     evflag = 0;
 
   orientation->do_forward_comm();
+  prepare_heat();
   if (motion_at_pose) lead_motion();
 
   double** f = atom->f;
@@ -151,6 +198,7 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
       add(f[j], -action.load.force);
       add(torque[j], action.load.moment_j);
     }
+    if (action.heat_i != 0.0 || action.heat_j != 0.0) give_heat(i, j, action);
     if (action.contact_energy != 0.0)
       contact_energy_ += owned_fraction(i, j) * action.contact_energy;
     if (action.breaks || action.forms || action.fracture_energy != 0.0)
@@ -163,6 +211,19 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
     }
   }
   if (motion_at_pose) enter_damping();
+  if (waiting_heat && newton_bond) waiting_heat->do_reverse_comm();
+}
+
+void BondSolidemBeam::prepare_heat() {
+  if (temperature) temperature->do_forward_comm();
+  if (waiting_heat) std::fill_n(waiting_heat->vector_atom + atom->nlocal, atom->nghost, 0.0);
+}
+
+// It waits there until heat steps; with newton_bond off the other rank sees the bond too.
+void BondSolidemBeam::give_heat(int i, int j, const SolidemBondAction& action) {
+  double* waiting = waiting_heat->vector_atom;
+  if (force->newton_bond || i < atom->nlocal) waiting[i] += action.heat_i;
+  if (force->newton_bond || j < atom->nlocal) waiting[j] += action.heat_j;
 }
 
 /* ----------------------------------------------------------------------

@@ -54,6 +54,11 @@ class BondSolidemBeam : public Bond {
   bool may_damp() const;
   /// Does any type bear bending or torsion?
   bool bears_moments() const;
+  /// Does temperature count for any type? Does flow give heat to the atoms?
+  bool follows_temperature() const;
+  bool gives_heat() const;
+  /// Has any type bonds that are longer when they are warm?
+  bool may_expand() const;
   /// The ends of a bond between two atoms of this rank, ghosts included; i is made the lower tag.
   SolidemBondEnds ends(int& i, int& j) const;
   /// How many bonds of this rank broke at the last step.
@@ -69,6 +74,8 @@ class BondSolidemBeam : public Bond {
   std::vector<SolidemBeam> beams;  // by bond type
   class FixPropertyAtom* orientation;
   class FixPropertyAtom *motion_at_pose, *motion_before;  // NULL: no bond is damped
+  class FixPropertyAtom* temperature;                     // NULL: it does not count
+  class FixPropertyAtom* waiting_heat;  // that flow has made, half of it of either atom; NULL: none
   bool after_setup_;  // are velocities known at the last pose, and not half a step before it?
   double damping_power_, damping_power_now_;  // at the last step and at this, this rank's share
   double contact_energy_;
@@ -77,6 +84,9 @@ class BondSolidemBeam : public Bond {
   void allocate();
   void widen_history();
   void enter(const SolidemBondAction& action, double fraction);
+  void find_heat();
+  void prepare_heat();
+  void give_heat(int i, int j, const SolidemBondAction& action);
   void lead_motion();
   void damp(const SolidemBeam& beam, const double* history, const SolidemBondEnds& place, int i,
             int j, solidem::BeamLoad<double>& load);

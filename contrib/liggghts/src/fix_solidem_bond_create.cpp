@@ -71,6 +71,11 @@ void FixSolidemBondCreate::init() {
   bonds = static_cast<FixSolidemBonds*>(modify->find_fix_style_strict("solidem/bonds", 0));
   orientation = static_cast<FixPropertyAtom*>(
       modify->find_fix_property("orientation", "property/atom", "vector", 4, 0, style));
+  const BondSolidemBeam* beams = dynamic_cast<BondSolidemBeam*>(force->bond);
+  if (beams && beams->may_expand())
+    error->fix_error(FLERR, this,
+                     "bonds that expand are as long at the reference temperature as when first "
+                     "seen; those made in the run would be at another: leave out expansion");
   // Two ranks may see a pair across a periodic face with another last digit.
   if (!force->newton_bond && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
     error->fix_error(FLERR, this,

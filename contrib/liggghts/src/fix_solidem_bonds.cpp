@@ -124,11 +124,23 @@ void FixSolidemBonds::find_properties() {
       modify->find_fix_property("orientation", "property/atom", "vector", 4, 0, style));
   beams = dynamic_cast<BondSolidemBeam*>(force->bond);
   if (beams && beams->may_break()) lost = property("lostBonds", "no", "yes");
+  if (beams && beams->gives_heat()) keep_waiting_heat();
   if (minimal_bonds > 0) removed = property("removedAtom", "yes", "no");
   if (beams && beams->may_damp()) {
     keep_motion("motionAtPose", "yes");
     keep_motion("motionBefore", "no");
   }
+}
+
+// Heat that flow has made of each atom and that its temperature does not show yet. Without a
+// default, which LIGGGHTS would give to all atoms once more at the end of the first setup.
+void FixSolidemBonds::keep_waiting_heat() {
+  const char* name = "waitingHeat";
+  if (modify->find_fix_property(name, "property/atom", "scalar", 0, 0, style, false)) return;
+  const char* command[] = {name,  "all", "property/atom", name,  "scalar",
+                           "yes", "no",  "yes",           "none"};
+  FixPropertyAtom* made = modify->add_fix_property_atom(9, const_cast<char**>(command), style);
+  if (!made->restart_reset) std::fill_n(made->vector_atom, atom->nlocal, 0.0);
 }
 
 // Six numbers of every atom, which no restart file needs; made if there are none. Without a
@@ -202,10 +214,10 @@ void FixSolidemBonds::require_turning() {
 }
 
 // How many atoms of a group list a bond, and no 'nve/solidem' turns them.
-int FixSolidemBonds::bonded_and_unturned(int group) const {
+int FixSolidemBonds::bonded_and_unturned(int movers) const {
   int here = 0, all;
   for (int i = 0; i < atom->nlocal; i++)
-    here += atom->num_bond[i] > 0 && (atom->mask[i] & group) && !(atom->mask[i] & turned);
+    here += atom->num_bond[i] > 0 && (atom->mask[i] & movers) && !(atom->mask[i] & turned);
   MPI_Allreduce(&here, &all, 1, MPI_INT, MPI_SUM, world);
   return all;
 }
@@ -360,156 +372,8 @@ double FixSolidemBonds::extend_cut_ghost() {
   return solidem_reach(atom, world);
 }
 
-/* ----------------------------------------------------------------------
-   put the history of the bond list back to the atoms, before they move on;
-   a bond that has left its atom's list meanwhile takes its history along
-------------------------------------------------------------------------- */
-
-void FixSolidemBonds::store_history() {
-  if (!list_is_current) return;
-  list_is_current = false;
-
-  int** list = neighbor->bondlist;
-  for (int n = 0; n < neighbor->nbondlist; n++) {
-    const int i = list[n][0], j = list[n][1], type = list[n][2];
-    int nth = 0;  // of several alike between two atoms; the list goes by first atoms
-    for (int before = n - 1; before >= 0 && list[before][0] == i; before--)
-      nth += atom->tag[list[before][1]] == atom->tag[j] && list[before][2] == type;
-    store_row(n, i, atom->tag[j], nth);
-    const bool listed_by_both = !force->newton_bond && j < atom->nlocal;
-    if (listed_by_both) store_row(n, j, atom->tag[i], nth);
-  }
-}
-
-void FixSolidemBonds::store_row(int n, int i, int partner, int nth) {
-  double* row = history->find(i, partner, neighbor->bondlist[n][2], nth);
-  if (row) std::copy_n(neighbor->bondhistlist[n], history->width(), row);
-}
-
-/* ----------------------------------------------------------------------
-   bonds that are gone for good leave the lists: their atoms may part, and
-   would not be found. The history is with the atoms, ghosts are still known
-------------------------------------------------------------------------- */
-
-void FixSolidemBonds::drop_gone_bonds() {
-  if (!lost) return;
-  double* lost_bonds = lost->vector_atom;
-  std::fill_n(lost_bonds + atom->nlocal, atom->nghost, 0.0);
-  double dropped = 0.0, all_dropped;
-  history->settle_all();
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int m = atom->num_bond[i] - 1; m >= 0; m--) {
-      if (!Row::is_gone(atom->bond_hist[i][m])) continue;
-      lost_bonds[i] += 1.0;
-      if (force->newton_bond) lost_bonds[atom->map(atom->bond_atom[i][m])] += 1.0;
-      dropped += force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
-
-      const int last = --atom->num_bond[i];
-      atom->bond_atom[i][m] = atom->bond_atom[i][last];
-      atom->bond_type[i][m] = atom->bond_type[i][last];
-      history->settle(i);
-    }
-  MPI_Allreduce(&dropped, &all_dropped, 1, MPI_DOUBLE, MPI_SUM, world);
-  if (all_dropped == 0.0) return;
-  atom->nbonds -= static_cast<bigint>(all_dropped + 0.5);
-  if (force->newton_bond) lost->do_reverse_comm();
-}
-
-/* ----------------------------------------------------------------------
-   atoms that lost bonds and keep too few are taken out, which may leave
-   their neighbours with too few
-------------------------------------------------------------------------- */
-
-void FixSolidemBonds::remove_atoms() {
-  if (minimal_bonds == 0) return;
-  int broke = beams->broke(), any;
-  MPI_Allreduce(&broke, &any, 1, MPI_INT, MPI_MAX, world);
-  while (any) {
-    count_bonds();
-    int loose = mark_loose_atoms();
-    MPI_Allreduce(&loose, &any, 1, MPI_INT, MPI_MAX, world);
-    if (any) cut_bonds_of_removed_atoms();
-  }
-}
-
-void FixSolidemBonds::count_bonds() {
-  const int all = atom->nlocal + atom->nghost;
-  whole_bonds.assign(all, 0.0);
-  broken_bonds.assign(all, 0.0);
-  std::copy_n(lost->vector_atom, atom->nlocal, broken_bonds.begin());
-  for (int n = 0; n < neighbor->nbondlist; n++) {
-    const bool whole = Row::is_whole(neighbor->bondhistlist[n]);
-    for (int side = 0; side < 2; side++)
-      (whole ? whole_bonds : broken_bonds)[neighbor->bondlist[n][side]] += 1.0;
-  }
-  if (force->newton_bond) comm->reverse_comm_fix(this);
-}
-
-int FixSolidemBonds::pack_reverse_comm(int n, int first, double* buffer) {
-  for (int i = first; i < first + n; i++) {
-    *buffer++ = whole_bonds[i];
-    *buffer++ = broken_bonds[i];
-  }
-  return comm_reverse;
-}
-
-void FixSolidemBonds::unpack_reverse_comm(int n, int* list, double* buffer) {
-  for (int k = 0; k < n; k++) {
-    whole_bonds[list[k]] += *buffer++;
-    broken_bonds[list[k]] += *buffer++;
-  }
-}
-
-// Their motion ends, with its energy, and they stay where they are; whether there are any.
-bool FixSolidemBonds::mark_loose_atoms() {
-  bool any = false;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (removed->vector_atom[i] != 0.0 || broken_bonds[i] == 0.0 || whole_bonds[i] >= minimal_bonds)
-      continue;
-    any = true;
-    removed->vector_atom[i] = 1.0;
-    double* v = atom->v[i];
-    double* omega = atom->omega[i];
-    const double inertia = solidem::sphere_inertia(atom->rmass[i], atom->radius[i]);
-    for (int k = 0; k < 3; k++) {
-      beams->ledger.fracture_energy +=
-          0.5 * force->mvv2e * (atom->rmass[i] * v[k] * v[k] + inertia * omega[k] * omega[k]);
-      v[k] = omega[k] = 0.0;
-    }
-  }
-  removed->do_forward_comm();
-  return any;
-}
-
-void FixSolidemBonds::cut_bonds_of_removed_atoms() {
-  const double step = static_cast<double>(update->ntimestep);
-  for (int n = 0; n < neighbor->nbondlist; n++) {
-    int i = neighbor->bondlist[n][0], j = neighbor->bondlist[n][1];
-    double* memory_of_bond = neighbor->bondhistlist[n];
-    if (removed->vector_atom[i] == 0.0 && removed->vector_atom[j] == 0.0) continue;
-    if (Row::is_gone(memory_of_bond) || Row::is_cut(memory_of_bond)) continue;
-    const double fraction = beams->owned_fraction(i, j);
-    if (Row::is_whole(memory_of_bond)) beams->ledger.broken += fraction;
-    const SolidemBeam& beam = beams->beam(neighbor->bondlist[n][2]);
-    beams->ledger.fracture_energy += fraction * beam.cut(memory_of_bond, beams->ends(i, j), step);
-  }
-}
-
 const double* FixSolidemBonds::lost_bonds() const {
   return lost ? lost->vector_atom : NULL;
-}
-
-double FixSolidemBonds::plastic_work() {
-  const bool running = list_is_current;
-  store_history();
-  list_is_current = running;
-  history->settle_all();
-  double work = gone_plastic_work;
-  const double fraction = force->newton_bond ? 1.0 : 0.5;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int m = 0; m < atom->num_bond[i]; m++)
-      work += fraction * atom->bond_hist[i][m][Row::PLASTIC_WORK];
-  return work;
 }
 
 double FixSolidemBonds::compute_vector(int n) {
@@ -536,69 +400,4 @@ double FixSolidemBonds::compute_vector(int n) {
   if (n == 5) here = ledger.formed;
   MPI_Allreduce(&here, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
-}
-
-/* ----------------------------------------------------------------------
-   restart files may be written in mid-run: store first, the atoms follow
-------------------------------------------------------------------------- */
-
-void FixSolidemBonds::write_restart(FILE* fp) {
-  const bool running = list_is_current;
-  store_history();
-  list_is_current = running;
-
-  SolidemLedger mine;
-  if (beams) mine = beams->ledger;
-  const double never = std::numeric_limits<double>::max();
-  double sums[5] = {mine.broken, mine.formed, mine.fracture_energy, gone_plastic_work,
-                    mine.damping};
-  double first = mine.first_rupture == 0.0 ? never : mine.first_rupture;
-  double sum[5], earliest;
-  MPI_Reduce(sums, sum, 5, MPI_DOUBLE, MPI_SUM, 0, world);
-  MPI_Reduce(&first, &earliest, 1, MPI_DOUBLE, MPI_MIN, 0, world);
-  if (comm->me != 0) return;
-  if (earliest == never) earliest = 0.0;
-  solidem_write_restart(fp, {static_cast<double>(history->width()), sum[0], sum[1], sum[2], sum[3],
-                             earliest, sum[4]});
-}
-
-void FixSolidemBonds::restart(char* buffer) {
-  const std::vector<double> stored = solidem_read_restart(error, this, buffer, 7);
-  if (static_cast<int>(stored[0]) != history->width())
-    error->fix_error(FLERR, this, "the restart file holds another bond style's history");
-  BondSolidemBeam* bonds = dynamic_cast<BondSolidemBeam*>(force->bond);
-  if (!bonds || comm->me != 0) return;
-  bonds->ledger = {stored[1], stored[2], stored[3], stored[5], stored[6]};
-  gone_plastic_work = stored[4];
-}
-
-void FixSolidemBonds::grow_arrays(int nmax) {
-  history->grow(nmax);
-}
-void FixSolidemBonds::copy_arrays(int i, int j, int) {
-  history->copy(i, j);
-}
-void FixSolidemBonds::set_arrays(int i) {
-  history->clear(i);
-}
-int FixSolidemBonds::pack_exchange(int i, double* buffer) {
-  return history->pack_exchange(i, buffer);
-}
-int FixSolidemBonds::unpack_exchange(int i, double* buffer) {
-  return history->unpack_exchange(i, buffer);
-}
-int FixSolidemBonds::pack_restart(int i, double* buffer) {
-  return history->pack_restart(i, buffer);
-}
-void FixSolidemBonds::unpack_restart(int i, int nth) {
-  history->unpack_restart(this, i, nth);
-}
-int FixSolidemBonds::size_restart(int i) {
-  return history->size_restart(i);
-}
-int FixSolidemBonds::maxsize_restart() {
-  return history->maxsize_restart();
-}
-double FixSolidemBonds::memory_usage() {
-  return history->memory_usage();
 }

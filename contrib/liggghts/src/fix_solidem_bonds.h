@@ -94,11 +94,12 @@ class FixSolidemBonds : public Fix {
   bool holds(int n) const;
   bool is_held_by_another(int n) const;
   void require_turning();
-  int bonded_and_unturned(int group) const;
+  int bonded_and_unturned(int movers) const;
   void require_bonds_switched_on() const;
   void require_unit_orientations() const;
   class FixPropertyAtom* property(const char* name, const char* forward, const char* reverse);
   void keep_motion(const char* name, const char* forward);
+  void keep_waiting_heat();
   void store_history();
   void store_row(int n, int i, int partner, int nth);
   void drop_gone_bonds();

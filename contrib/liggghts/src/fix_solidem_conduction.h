@@ -32,7 +32,8 @@ namespace LAMMPS_NS {
 /// number of bonds (property coordination) or the volume (cellVolume) with the atoms, so
 /// conductances never change once a bond has been seen. A step adds up the properties heatFlux,
 /// which it empties first and any fix may add to in post_force, and heatSource, which is the
-/// user's.
+/// user's. Where bonds give heat or look at temperatures, heat steps before the bonds act in a new
+/// pose: they see the temperatures of their time.
 class FixSolidemConduction : public Fix {
  public:
   FixSolidemConduction(class LAMMPS*, int, char**);
@@ -42,6 +43,7 @@ class FixSolidemConduction : public Fix {
   void init();
   void setup_pre_force(int);
   void setup(int);
+  void post_integrate();
   void pre_force(int);
   void post_force(int);
   void final_integrate();
@@ -50,6 +52,9 @@ class FixSolidemConduction : public Fix {
 
   /// Heat capacity of local atom i, J/K.
   double heat_capacity(int i) const;
+  /// Whether heat steps before forces act, and calls those that heat by walls or impose a
+  /// temperature itself.
+  bool leads() const { return leads_; }
 
   void grow_arrays(int);
   void copy_arrays(int, int, int);
@@ -78,7 +83,9 @@ class FixSolidemConduction : public Fix {
   std::vector<Conductor> conductors;
   std::vector<double> step_over_capacity;  // of local atoms, K/W
   double step_of_capacities;
+  bool leads_;
   class FixPropertyAtom *temperature, *heat_flux, *heat_source, *coordination, *cell_volume;
+  class FixPropertyAtom* waiting_heat;  // of plastic flow; NULL: none
 
   void read_arguments(int, char**);
   class FixPropertyAtom* property(const char*, const char*, const char*, const char*);
@@ -92,6 +99,10 @@ class FixSolidemConduction : public Fix {
   void build_conductors();
   double area(int, int, int) const;
   void find_steps();
+  void find_what_bonds_ask();
+  void take_waiting_heat();
+  void conduct();
+  void step();
   void require_temperatures() const;
   void require_stable_step();
   std::vector<double> conductances_of_atoms();

@@ -16,6 +16,7 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_property_atom.h"
+#include "fix_solidem_conduction.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "solidem_number.h"
@@ -31,6 +32,7 @@ FixSolidemExchange::FixSolidemExchange(LAMMPS* liggghts, int narg, char** arg)
       outer(NULL),
       outer_now(0.0),
       heat_supplied(0.0),
+      conduction(NULL),
       temperature(NULL),
       heat_flux(NULL) {
   if (igroup != 0) error->fix_error(FLERR, this, "must be used with group 'all'");
@@ -85,8 +87,9 @@ int FixSolidemExchange::setmask() {
 }
 
 void FixSolidemExchange::init() {
-  if (!modify->find_fix_style_strict("solidem/conduction", 0))
-    error->fix_error(FLERR, this, "needs a 'fix ID all solidem/conduction'");
+  conduction =
+      dynamic_cast<FixSolidemConduction*>(modify->find_fix_style_strict("solidem/conduction", 0));
+  if (!conduction) error->fix_error(FLERR, this, "needs a 'fix ID all solidem/conduction'");
   temperature = static_cast<FixPropertyAtom*>(
       modify->find_fix_property("Temp", "property/atom", "scalar", 0, 0, style));
   heat_flux = static_cast<FixPropertyAtom*>(
@@ -133,6 +136,10 @@ void FixSolidemExchange::end_of_step() {
 }
 
 void FixSolidemExchange::post_force(int) {
+  if (!conduction->leads()) exchange();
+}
+
+void FixSolidemExchange::exchange() {
   const double* temp = temperature->vector_atom;
   double* flux = heat_flux->vector_atom;
   for (const Contact& contact : local) {

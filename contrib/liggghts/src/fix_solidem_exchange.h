@@ -39,6 +39,8 @@ class FixSolidemExchange : public Fix {
   void post_force(int);
   void end_of_step();
   double compute_scalar();
+  /// Adds the power through the wall to the atoms' heatFlux, and counts its heat over a step.
+  void exchange();
   /// Adds each local atom's conductance to this wall, W/K.
   void add_conductances(double* of_atoms) const;
   void write_restart(FILE*);
@@ -57,6 +59,7 @@ class FixSolidemExchange : public Fix {
   class SolidemNumber* outer;     // K
   double outer_now;               // at the start of the present step, K
   double heat_supplied;           // to the local atoms so far, J
+  class FixSolidemConduction* conduction;
   class FixPropertyAtom *temperature, *heat_flux;
 
   void read_file();

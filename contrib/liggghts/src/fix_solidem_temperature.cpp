@@ -26,6 +26,7 @@ using namespace FixConst;
 FixSolidemTemperature::FixSolidemTemperature(LAMMPS* liggghts, int narg, char** arg)
     : Fix(liggghts, narg, arg),
       imposed(NULL),
+      target(0.0),
       heat_supplied(0.0),
       conduction(NULL),
       temperature(NULL) {
@@ -43,7 +44,7 @@ FixSolidemTemperature::~FixSolidemTemperature() {
 }
 
 int FixSolidemTemperature::setmask() {
-  return END_OF_STEP;
+  return PRE_FORCE | END_OF_STEP;
 }
 
 void FixSolidemTemperature::init() {
@@ -55,17 +56,33 @@ void FixSolidemTemperature::init() {
   imposed->init();
 }
 
-// Heat counts from the first step on: what the start takes is the initial condition's.
+// Before bonds act that look at temperatures, and once more after LIGGGHTS has given the property
+// its initial value. Heat counts from the first step on: what the start takes is the initial
+// condition's.
+void FixSolidemTemperature::setup_pre_force(int step) {
+  setup(step);
+}
+
 void FixSolidemTemperature::setup(int) {
-  impose();
+  target = imposed->temperature();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) temperature->vector_atom[i] = target;
 }
 
 void FixSolidemTemperature::end_of_step() {
+  if (!conduction->leads()) move_on();
+}
+
+void FixSolidemTemperature::move_on() {
+  target = imposed->temperature();
+  hold();
+}
+
+void FixSolidemTemperature::hold() {
   heat_supplied += impose();
 }
 
 double FixSolidemTemperature::impose() {
-  const double target = imposed->temperature();
   double heat = 0.0, total;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;

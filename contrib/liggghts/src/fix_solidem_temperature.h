@@ -30,14 +30,20 @@ class FixSolidemTemperature : public Fix {
   ~FixSolidemTemperature();
   int setmask();
   void init();
+  void setup_pre_force(int);
   void setup(int);
+  void pre_force(int) {}
   void end_of_step();
   double compute_scalar();
+  /// Gives the group the temperature that it has had since the last step; that of the present step.
+  void hold();
+  void move_on();
   void write_restart(FILE*);
   void restart(char*);
 
  private:
   class SolidemNumber* imposed;  // K
+  double target;                 // what was imposed last, K
   double heat_supplied;          // of all ranks, J
   class FixSolidemConduction* conduction;
   class FixPropertyAtom* temperature;

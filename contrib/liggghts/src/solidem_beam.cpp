@@ -38,6 +38,8 @@ void store(double* place, const Vector& a) {
 }  // namespace
 
 int SolidemBeam::width() const {
+  if (plastic_heat > 0.0) return Row::WITH_HEAT;
+  if (feels_rate()) return Row::WITH_RATE;
   if (is_offset()) return Row::WITH_REST_DIRECTION;
   return may_change() ? Row::CHANGING : Row::ELASTIC;
 }
@@ -65,7 +67,9 @@ void SolidemBeam::make(double* memory, const SolidemBondEnds& ends) const {
   store(memory + Row::NORMAL_J, solidem::rotate(solidem::conjugate(ends.orientation_j), direction));
   memory[Row::EXTENSION] = memory[Row::PLASTIC_STRAIN] = memory[Row::RUPTURE] = 0.0;
   memory[Row::ENERGY] = 0.0;
-  keep_last(memory, {}, 0.0);
+  std::fill_n(memory + Row::LAST, 9, 0.0);
+  if (feels_rate()) memory[Row::FLOW_RATE] = 0.0;
+  if (plastic_heat > 0.0) std::fill_n(memory + Row::LAST_SEEN_BY_J, 6, 0.0);
   memory[Row::TWIST] = 2.0 * dot((ends.orientation_j * back_i).v, direction);
   if (is_offset()) store(memory + Row::REST_DIRECTION, solidem::rotate(back_i, direction));
 }
@@ -87,7 +91,7 @@ SolidemBondAction SolidemBeam::act_broken(double* memory, const SolidemBondEnds&
     action.fracture_energy -= work;
     return action;
   }
-  const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
+  const YieldingBeam<double> bond = beam(memory, ends);
   const State now = state(memory, ends, bond.rest_length);
   SolidemBondAction action;
   action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);
@@ -101,7 +105,7 @@ SolidemBondAction SolidemBeam::act_near_limit(double* memory, const SolidemBondE
                                               double step, bool energies) const {
   SolidemBondAction action;
   if (!flows || memory[Row::FLOW] != step + 1.0) {
-    const solidem::BondStrain<double> strain = flow(memory, ends, bond, now, step);
+    const solidem::BondStrain<double> strain = flow(memory, ends, bond, now, step, action);
     action.breaks = breaks && solidem::breaks(rupture, strain);
   }
   action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);
@@ -113,29 +117,82 @@ SolidemBondAction SolidemBeam::act_near_limit(double* memory, const SolidemBondE
     action.contact_energy = contact(memory, ends).energy;
     action.fracture_energy = action.elastic_energy - action.contact_energy;
     memory[Row::ENERGY] = action.fracture_energy;
-    keep_last(memory, solidem::beam_modes(now.pose, now.deformation, ends.orientation_i),
-              solidem::norm(contact(memory, ends).force));
+    keep_last(memory, ends, solidem::beam_modes(now.pose, now.deformation, ends.orientation_i),
+              bond.rest_length, solidem::norm(contact(memory, ends).force));
     action.elastic_energy = 0.0;
   }
   return action;
+}
+
+// The rate of flow was averaged over the time that is past, the less the longer ago: what is left
+// of it, and what a flow in this step adds.
+double SolidemBeam::rate_left(const double* memory, const SolidemBondEnds& ends,
+                              double step) const {
+  const double steps = step - (memory[Row::FLOW] - 1.0);
+  return memory[Row::FLOW_RATE] * std::exp(-steps * ends.time_step / rate_time);
+}
+
+double SolidemBeam::rate_per_flow(const SolidemBondEnds& ends) const {
+  return -std::expm1(-ends.time_step / rate_time) / ends.time_step;
+}
+
+// The yield strain of the bond as it grows with the plastic strain in this step.
+template <class Yield>
+solidem::YieldCurve<Yield, double> SolidemBeam::yield_curve(const Yield& known,
+                                                            const double* memory,
+                                                            const SolidemBondEnds& ends,
+                                                            double step) const {
+  solidem::YieldCurve<Yield, double> curve{known};
+  if constexpr (solidem::depends_on_state<Yield>) {
+    curve.state.temperature = ends.temperature();
+    if (!feels_rate()) return curve;
+    curve.state.rate = rate_left(memory, ends, step);
+    curve.flow_start = memory[Row::PLASTIC_STRAIN];
+    curve.rate_per_flow = rate_per_flow(ends);
+  }
+  return curve;
 }
 
 // What the laws answer; nothing is remembered.
 solidem::BeamResponse<double> SolidemBeam::response(const double* memory,
                                                     const SolidemBondEnds& ends,
                                                     const YieldingBeam<double>& bond,
-                                                    const State& now) const {
-  const BeamHistory<double> before = history(memory);
+                                                    const State& now, double step) const {
+  BeamHistory<double> before = history(memory);
   if (!flows) return solidem::elastic_response<double>(bond, before, {now.pose, now.deformation});
+  before.last = last_modes(memory, bond.rest_length);
   return std::visit(
       [&](const auto& known) {
-        const solidem::YieldCurve<std::decay_t<decltype(known)>, double> yield{known};
+        const auto yield = yield_curve(known, memory, ends, step);
         const Vector rest_direction =
             is_offset() ? solidem_vector(memory + Row::REST_DIRECTION) : before.normal_i;
         return solidem::flow_response(flow_rule, yield, bond, before, rest_direction,
                                       {ends.chord, ends.orientation_i, ends.orientation_j});
       },
       hardening);
+}
+
+/* ----------------------------------------------------------------------
+   plastic work of a flow if the last deformation has turned with atom j, and not with i: the
+   atoms' two views differ by as much as a step turns one against the other. `left`: what the flow
+   leaves, in body axes of i
+------------------------------------------------------------------------- */
+
+double SolidemBeam::work_seen_by_j(const double* memory, const SolidemBondEnds& ends,
+                                   const YieldingBeam<double>& bond, const State& now,
+                                   const solidem::BeamModes<double>& left) const {
+  using solidem::detail::sum_of;
+  using solidem::detail::turned;
+  const solidem::BeamModes<double> of_i = last_modes(memory, bond.rest_length);
+  const double* seen = memory + Row::LAST_SEEN_BY_J;
+  const solidem::BeamModes<double> last =
+      turned<double>(ends.orientation_j,
+                     {solidem_vector(seen), solidem_vector(seen + 3), of_i.extension, of_i.twist});
+  const solidem::BeamModes<double> after = turned(ends.orientation_i, left);
+  const solidem::BeamModes<double> before =
+      solidem::detail::world_modes<double>({now.pose, now.deformation});
+  return solidem::mutual_energy(bond.rigidity, bond.rest_length, sum_of(last, 1.0, after),
+                                sum_of(before, -1.0, after));
 }
 
 /* ----------------------------------------------------------------------
@@ -146,17 +203,28 @@ solidem::BeamResponse<double> SolidemBeam::response(const double* memory,
 
 solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondEnds& ends,
                                               const YieldingBeam<double>& bond, State& now,
-                                              double step) const {
-  const solidem::BeamResponse<double> response = this->response(memory, ends, bond, now);
-  keep_last(memory, response.history.last, 0.0);
+                                              double step, SolidemBondAction& action) const {
+  const solidem::BeamResponse<double> response = this->response(memory, ends, bond, now, step);
+  double work = response.plastic_work;
+  if (plastic_heat > 0.0 && response.history.strain > memory[Row::PLASTIC_STRAIN]) {
+    const double seen_by_j = work_seen_by_j(memory, ends, bond, now, response.history.last);
+    action.heat_i = 0.5 * plastic_heat * work;
+    action.heat_j = 0.5 * plastic_heat * seen_by_j;
+    work = 0.5 * (work + seen_by_j);
+  }
+  keep_last(memory, ends, response.history.last, bond.rest_length, 0.0);
   if (!(response.history.strain > memory[Row::PLASTIC_STRAIN])) return response.strains;
 
+  if (feels_rate())
+    memory[Row::FLOW_RATE] =
+        rate_left(memory, ends, step) +
+        rate_per_flow(ends) * (response.history.strain - memory[Row::PLASTIC_STRAIN]);
   store(memory + Row::NORMAL_I, response.history.normal_i);
   store(memory + Row::NORMAL_J, response.history.normal_j);
   memory[Row::EXTENSION] = response.history.extension;
   memory[Row::TWIST] = response.history.twist;
   memory[Row::PLASTIC_STRAIN] = response.history.strain;
-  memory[Row::PLASTIC_WORK] += response.plastic_work;
+  memory[Row::PLASTIC_WORK] += work;
   memory[Row::FLOW] = step + 1.0;
   now = state(memory, ends, bond.rest_length);
   return response.strains;
@@ -183,12 +251,10 @@ double SolidemBeam::touching_distance(const double* memory, const SolidemBondEnd
 double SolidemBeam::lost_by_last_act(double* memory, const SolidemBondEnds& ends,
                                      double step) const {
   if (std::floor(memory[Row::RUPTURE]) != step) return 0.0;
-  const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
+  const YieldingBeam<double> bond = beam(memory, ends);
   const State now = state(memory, ends, bond.rest_length);
-  const double* last = memory + Row::LAST;
-  const solidem::BeamModes<double> then = {solidem_vector(last), solidem_vector(last + 3), last[6],
-                                           last[7]};
-  const double push = last[8];  // of the contact, then
+  const solidem::BeamModes<double> then = last_modes(memory, bond.rest_length);
+  const double push = memory[Row::LAST + 8];  // of the contact, then
   const double energy =
       solidem::mutual_energy(bond.rigidity, bond.rest_length, then,
                              solidem::beam_modes(now.pose, now.deformation, ends.orientation_i)) -
@@ -201,8 +267,8 @@ double SolidemBeam::lost_by_last_act(double* memory, const SolidemBondEnds& ends
 // The push of two atoms whose bond broke, and the energy in it.
 SolidemBeam::Contact SolidemBeam::contact(const double* memory, const SolidemBondEnds& ends) const {
   if (contact_ratio == 0.0) return {Vector{}, 0.0};
-  const double rest_length = memory[Row::REST_LENGTH];
-  const double stiffness = contact_ratio * beam(ends, rest_length).rigidity.axial / rest_length;
+  const YieldingBeam<double> bond = beam(memory, ends);
+  const double stiffness = contact_ratio * bond.rigidity.axial / bond.rest_length;
   const double distance = memory[Row::FLOW];
   return {solidem::contact_force(stiffness, distance, ends.chord),
           solidem::contact_energy(stiffness, distance, ends.chord)};
@@ -252,11 +318,12 @@ SolidemBondFigures SolidemBeam::figures(const double* memory, const SolidemBondE
     const Contact push = contact(memory, ends);
     return {length, -solidem::norm(push.force), 0.0, 0.0, push.energy};
   }
-  const YieldingBeam<double> bond = beam(ends, memory[Row::REST_LENGTH]);
+  const YieldingBeam<double> bond = beam(memory, ends);
   const State now = state(memory, ends, bond.rest_length);
   const Deformation& deformation = now.deformation;
-  const double stress =
-      young_modulus * solidem::equivalent_strain(bond.yield_section, bond, now.pose, deformation);
+  const double stiffness = warmth.stiffness(ends.temperature_i, ends.temperature_j);
+  const double stress = stiffness * young_modulus *
+                        solidem::equivalent_strain(bond.yield_section, bond, now.pose, deformation);
   const double force =
       bond.rigidity.axial * deformation.inverse_rest_length * deformation.extension;
   if (may_break() && Row::is_cut(memory)) return {length, force, stress, 0.0, 0.0};
@@ -273,10 +340,10 @@ bool SolidemBeam::damps(const double* memory) const {
 solidem::DashpotAction<double> SolidemBeam::damp(
     const double* memory, const SolidemBondEnds& ends, const solidem::BondMotion<double>& motion,
     const solidem::BondInertia<double>& inertia) const {
-  const double rest_length = memory[Row::REST_LENGTH];
+  const YieldingBeam<double> bond = beam(memory, ends);
   return solidem::bond_damping(
-      solidem::bond_dashpots(damping_ratio, beam(ends, rest_length).rigidity, rest_length, inertia),
-      ends.chord, motion);
+      solidem::bond_dashpots(damping_ratio, bond.rigidity, bond.rest_length, inertia), ends.chord,
+      motion);
 }
 
 bool SolidemBeam::holds(double* memory, const SolidemBondEnds& ends, double step) const {
@@ -294,8 +361,10 @@ double SolidemBeam::cut(double* memory, const SolidemBondEnds& ends, double step
   const bool acts = acts_as_beam(memory, step);
   if (acts) {
     const bool broke = memory[Row::RUPTURE] != 0.0;
-    const State pose = state(memory, ends, memory[Row::REST_LENGTH]);
-    keep_last(memory, solidem::beam_modes(pose.pose, pose.deformation, ends.orientation_i), 0.0);
+    const double rest_length = beam(memory, ends).rest_length;
+    const State pose = state(memory, ends, rest_length);
+    keep_last(memory, ends, solidem::beam_modes(pose.pose, pose.deformation, ends.orientation_i),
+              rest_length, 0.0);
     // Of a bond that broke in this step, what its contact would have taken over.
     memory[Row::ENERGY] = (broke ? memory[Row::ENERGY] : 0.0) + energy;
   }

@@ -19,6 +19,7 @@
 #include "laws/beam_flow.hpp"
 #include "laws/bond_damping.hpp"
 #include "laws/bond_limit.hpp"
+#include "solidem_over_temperature.h"
 
 namespace LAMMPS_NS {
 
@@ -27,7 +28,7 @@ namespace LAMMPS_NS {
 struct SolidemBondMemory {
   enum Place {
     NORMAL_I = 0,        ///< 3: normal of the section at i, in body axes of i
-    REST_LENGTH = 3,     ///< zero: the bond was not yet seen
+    REST_LENGTH = 3,     ///< at the reference temperature; zero: the bond was not yet seen
     NORMAL_J = 4,        ///< 3: the same at j, in body axes of j
     EXTENSION = 7,       ///< plastic part
     TWIST = 8,           ///< plastic part
@@ -38,12 +39,22 @@ struct SolidemBondMemory {
     FLOW = 12,     ///< s + 1: last flowed at step s; broken: where its atoms touch; made anew: the
                    ///< push at that step
     ENERGY = 13,   ///< broken: its energy when it acted for the last time
-    LAST = 14,  ///< 9: elastic deformation in the last pose: leans of both ends, extension, twist;
-                ///< and, broken, the contact's push there
+    LAST = 14,  ///< 9: elastic deformation in the last pose: leans of both ends, extension (beyond
+                ///< REST_LENGTH, however warm the bond was), twist; and, broken, the contact's push
+                ///< there
     REST_DIRECTION = 23,  ///< 3: direction when it was made, in body axes
+    FLOW_RATE = 26,       ///< of the plastic strain, averaged, when it last flowed
+    LAST_SEEN_BY_J = 27,  ///< 6: the leans of LAST, in body axes of j
   };
-  /// Numbers of a bond that is elastic; may flow or break; flows by the scaled offset.
-  enum Width { ELASTIC = 4, CHANGING = 23, WITH_REST_DIRECTION = 26 };
+  /// Numbers of a bond that is elastic; may flow or break; flows by the scaled offset; feels the
+  /// rate of its flow; heats its atoms.
+  enum Width {
+    ELASTIC = 4,
+    CHANGING = 23,
+    WITH_REST_DIRECTION = 26,
+    WITH_RATE = 27,
+    WITH_HEAT = 33
+  };
   static constexpr double GONE = -1.0;
   static bool is_gone(const double* memory) { return memory[RUPTURE] == GONE; }
   static bool is_cut(const double* memory) {
@@ -54,19 +65,23 @@ struct SolidemBondMemory {
   }
 };
 
-/// Where the two atoms of a bond stand; i has the lower tag.
+/// Where the two atoms of a bond stand and how warm they are; i has the lower tag.
 struct SolidemBondEnds {
   solidem::Vector3<double> chord;  ///< from i to j
   solidem::Quaternion<double> orientation_i, orientation_j;
   double radius_i, radius_j;
+  double temperature_i = 0.0, temperature_j = 0.0;  ///< zero where none counts
+  double time_step = 0.0;                           ///< of the motion
+  double temperature() const { return 0.5 * (temperature_i + temperature_j); }
 };
 
 /// What a bond does to its atoms.
 struct SolidemBondAction {
   solidem::BeamLoad<double> load = {};
-  double elastic_energy = 0.0;   ///< of the beam
-  double contact_energy = 0.0;   ///< of a broken bond whose atoms push each other
-  double fracture_energy = 0.0;  ///< lost in this step, by rupture or by a bond made anew
+  double elastic_energy = 0.0;        ///< of the beam
+  double contact_energy = 0.0;        ///< of a broken bond whose atoms push each other
+  double fracture_energy = 0.0;       ///< lost in this step, by rupture or by a bond made anew
+  double heat_i = 0.0, heat_j = 0.0;  ///< for its atoms, of the flow in this step
   bool breaks = false, forms = false;
 };
 
@@ -100,8 +115,18 @@ struct SolidemBeam {
   double contact_ratio = 0.0;  ///< stiffness of contacts over E S / l; 0: no contact
   double rebonding_pressure = NEVER;
   double damping_ratio = 0.0;  ///< critical ratio of the dashpots; 0: none
+  SolidemBeamWarmth warmth;
+  double rate_time = 0.0;     ///< over which the rate of flow is averaged, if that counts
+  double plastic_heat = 0.0;  ///< of plastic work that becomes heat
 
   bool may_break() const { return breaks; }
+  bool expands() const { return warmth.expansion_coefficient.is_given(); }
+  bool softens() const { return warmth.modulus_ratio.is_given(); }
+  bool feels_rate() const { return flows && solidem::follows_rate(hardening); }
+  /// Whether the temperature of its atoms counts.
+  bool follows_temperature() const {
+    return expands() || softens() || (flows && solidem::follows_temperature(hardening));
+  }
   bool is_offset() const { return flows && flow_rule == solidem::FlowRule::scaled_offset; }
   bool may_change() const { return flows || may_break(); }
   /// Numbers of SolidemBondMemory that a bond of this type needs.
@@ -141,22 +166,33 @@ struct SolidemBeam {
   };
 
   double beam_radius(const SolidemBondEnds& ends) const;
-  solidem::YieldingBeam<double> beam(const SolidemBondEnds& ends, double rest_length) const;
+  solidem::YieldingBeam<double> beam(const double* memory, const SolidemBondEnds& ends) const;
+  solidem::YieldingBeam<double> cold_beam(const SolidemBondEnds& ends, double rest_length) const;
   solidem::BeamHistory<double> history(const double* memory) const;
-  void keep_last(double* memory, const solidem::BeamModes<double>& modes, double strain) const;
+  solidem::BeamModes<double> last_modes(const double* memory, double rest_length) const;
+  void keep_last(double* memory, const SolidemBondEnds& ends, solidem::BeamModes<double> modes,
+                 double rest_length, double strain) const;
   State state(const double* memory, const SolidemBondEnds& ends, double rest_length) const;
   bool acts_as_beam(const double* memory, double step) const;
   bool made_anew(const double* memory, double step) const;
 
   void make(double* memory, const SolidemBondEnds& ends) const;
-  bool may_reach_limit(const double* memory, const solidem::YieldingBeam<double>& bond,
-                       const State& now) const;
+  bool may_reach_limit(const double* memory, const SolidemBondEnds& ends,
+                       const solidem::YieldingBeam<double>& bond, const State& now) const;
   solidem::BondStrain<double> flow(double* memory, const SolidemBondEnds& ends,
                                    const solidem::YieldingBeam<double>& bond, State& now,
-                                   double step) const;
+                                   double step, SolidemBondAction& action) const;
+  double work_seen_by_j(const double* memory, const SolidemBondEnds& ends,
+                        const solidem::YieldingBeam<double>& bond, const State& now,
+                        const solidem::BeamModes<double>& left) const;
+  double rate_left(const double* memory, const SolidemBondEnds& ends, double step) const;
+  double rate_per_flow(const SolidemBondEnds& ends) const;
+  template <class Yield>
+  solidem::YieldCurve<Yield, double> yield_curve(const Yield& known, const double* memory,
+                                                 const SolidemBondEnds& ends, double step) const;
   solidem::BeamResponse<double> response(const double* memory, const SolidemBondEnds& ends,
                                          const solidem::YieldingBeam<double>& bond,
-                                         const State& now) const;
+                                         const State& now, double step) const;
   SolidemBondAction act_near_limit(double* memory, const SolidemBondEnds& ends,
                                    const solidem::YieldingBeam<double>& bond, State now,
                                    double step, bool energies) const;
@@ -182,8 +218,8 @@ inline double SolidemBeam::beam_radius(const SolidemBondEnds& ends) const {
   return radius > 0.0 ? radius : ratio * 0.5 * (ends.radius_i + ends.radius_j);
 }
 
-inline solidem::YieldingBeam<double> SolidemBeam::beam(const SolidemBondEnds& ends,
-                                                       double rest_length) const {
+inline solidem::YieldingBeam<double> SolidemBeam::cold_beam(const SolidemBondEnds& ends,
+                                                            double rest_length) const {
   const double thickness = beam_radius(ends);
   const solidem::BeamSection<double> section = {young_modulus, shear_modulus, thickness};
   // Without plasticity all that is told of a bond is told of where it breaks.
@@ -205,28 +241,55 @@ inline solidem::YieldingBeam<double> SolidemBeam::beam(const SolidemBondEnds& en
           rupture_section};
 }
 
+// As warm as its atoms are.
+inline solidem::YieldingBeam<double> SolidemBeam::beam(const double* memory,
+                                                       const SolidemBondEnds& ends) const {
+  const double rest_length = memory[SolidemBondMemory::REST_LENGTH];
+  solidem::YieldingBeam<double> bond = cold_beam(ends, rest_length);
+  if (expands())
+    bond.rest_length = rest_length * warmth.stretch(ends.temperature_i, ends.temperature_j);
+  if (!softens()) return bond;
+  const double stiffness = warmth.stiffness(ends.temperature_i, ends.temperature_j);
+  for (double* part :
+       {&bond.rigidity.axial, &bond.rigidity.bending, &bond.rigidity.shear, &bond.rigidity.torsion})
+    *part *= stiffness;
+  return bond;
+}
+
 inline solidem::BeamHistory<double> SolidemBeam::history(const double* memory) const {
   typedef SolidemBondMemory Row;
   const Vector normal_i = solidem_vector(memory + Row::NORMAL_I);
   if (!may_change()) return solidem::unyielded(normal_i);
-  solidem::BeamHistory<double> kept = {normal_i,
-                                       solidem_vector(memory + Row::NORMAL_J),
-                                       memory[Row::EXTENSION],
-                                       memory[Row::TWIST],
-                                       memory[Row::PLASTIC_STRAIN],
-                                       {}};
-  if (!flows) return kept;
-  const double* last = memory + Row::LAST;
-  kept.last = {solidem_vector(last), solidem_vector(last + 3), last[6], last[7]};
-  return kept;
+  return {normal_i,
+          solidem_vector(memory + Row::NORMAL_J),
+          memory[Row::EXTENSION],
+          memory[Row::TWIST],
+          memory[Row::PLASTIC_STRAIN],
+          {}};
+}
+
+// The deformation in the last pose, of a bond that is as long when free of load as it is now.
+inline solidem::BeamModes<double> SolidemBeam::last_modes(const double* memory,
+                                                          double rest_length) const {
+  const double* last = memory + SolidemBondMemory::LAST;
+  const double longer = rest_length - memory[SolidemBondMemory::REST_LENGTH];
+  return {solidem_vector(last), solidem_vector(last + 3), last[6] - longer, last[7]};
 }
 
 // The deformation in this pose, which the next flow starts from.
-inline void SolidemBeam::keep_last(double* memory, const solidem::BeamModes<double>& modes,
+inline void SolidemBeam::keep_last(double* memory, const SolidemBondEnds& ends,
+                                   solidem::BeamModes<double> modes, double rest_length,
                                    double strain) const {
+  modes.extension += rest_length - memory[SolidemBondMemory::REST_LENGTH];
   const Vector &i = modes.lean_i, &j = modes.lean_j;
   const double numbers[] = {i.x, i.y, i.z, j.x, j.y, j.z, modes.extension, modes.twist, strain};
   for (int k = 0; k < 9; k++) memory[SolidemBondMemory::LAST + k] = numbers[k];
+  if (plastic_heat == 0.0) return;
+  const solidem::Quaternion<double> back =
+      solidem::conjugate(ends.orientation_j) * ends.orientation_i;
+  const Vector a = solidem::rotate(back, i), b = solidem::rotate(back, j);
+  const double seen[] = {a.x, a.y, a.z, b.x, b.y, b.z};
+  for (int k = 0; k < 6; k++) memory[SolidemBondMemory::LAST_SEEN_BY_J + k] = seen[k];
 }
 
 inline SolidemBeam::State SolidemBeam::state(const double* memory, const SolidemBondEnds& ends,
@@ -240,7 +303,7 @@ inline SolidemBeam::State SolidemBeam::state(const double* memory, const Solidem
 }
 
 // Most bonds are far from any limit, which a bound without a root tells.
-inline bool SolidemBeam::may_reach_limit(const double* memory,
+inline bool SolidemBeam::may_reach_limit(const double* memory, const SolidemBondEnds& ends,
                                          const solidem::YieldingBeam<double>& bond,
                                          const State& now) const {
   const solidem::JudgedSection middle = solidem::JudgedSection::middle;
@@ -248,7 +311,8 @@ inline bool SolidemBeam::may_reach_limit(const double* memory,
   const double limit =
       bond.rest_length *
       solidem::limit_strain(flows ? &hardening : NULL, solidem::FlowRule::radial_return,
-                            breaks ? &rupture : NULL, memory[SolidemBondMemory::PLASTIC_STRAIN]);
+                            breaks ? &rupture : NULL, memory[SolidemBondMemory::PLASTIC_STRAIN], {},
+                            ends.temperature());
   return solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, now.pose,
                                              now.deformation) > limit * limit;
 }
@@ -259,12 +323,13 @@ inline SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds&
   const bool changes = may_change();
   if (changes && memory[SolidemBondMemory::RUPTURE] != 0.0)
     return act_broken(memory, ends, step, energies);
-  const solidem::YieldingBeam<double> bond = beam(ends, memory[SolidemBondMemory::REST_LENGTH]);
+  const solidem::YieldingBeam<double> bond = beam(memory, ends);
   const State now = state(memory, ends, bond.rest_length);
-  if (changes && may_reach_limit(memory, bond, now))
+  if (changes && may_reach_limit(memory, ends, bond, now))
     return act_near_limit(memory, ends, bond, now, step, energies);
   if (flows)
-    keep_last(memory, solidem::beam_modes(now.pose, now.deformation, ends.orientation_i),
+    keep_last(memory, ends, solidem::beam_modes(now.pose, now.deformation, ends.orientation_i),
+              bond.rest_length,
               solidem::equivalent_strain(bond.yield_section, bond, now.pose, now.deformation));
   SolidemBondAction action;
   action.load = solidem::beam_load(bond.rigidity, now.pose, now.deformation);

@@ -165,13 +165,63 @@ void read_plasticity(Words& words, SolidemBeam& beam) {
     beam.hardening = linear;
   } else {
     read_bond_law<solidem::YieldLaws>(words, "hardening", beam.young_modulus, beam.hardening);
-    if (solidem::follows_rate(beam.hardening))
-      words.fail("bonds do not know their rate of flow here: leave out rate_sensitivity");
-    if (solidem::follows_temperature(beam.hardening))
-      words.fail(
-          "bonds do not know their temperature here: leave out melting_temperature and "
-          "reference_temperature");
   }
+}
+
+// A property over temperature: a number, or 'table N' and N times a temperature and a value.
+SolidemOverTemperature read_over_temperature(Words& words, const std::string& what,
+                                             bool above_zero) {
+  const auto value = [&](const std::string& name) {
+    return above_zero ? words.positive(name) : words.number(name);
+  };
+  SolidemOverTemperature read;
+  if (!words.is_next("table")) {
+    read.points = 1;
+    read.value[0] = value(what);
+    return read;
+  }
+  words.word("table");
+  const double points = words.positive("the number of points of " + what);
+  if (points != std::floor(points) || points > SolidemOverTemperature::MOST_POINTS)
+    words.fail("the table of " + what + " has a whole number of points, 1 to " +
+               std::to_string(SolidemOverTemperature::MOST_POINTS));
+  read.points = static_cast<int>(points);
+  for (int k = 0; k < read.points; k++) {
+    read.temperature[k] = words.not_negative("a temperature of " + what);
+    read.value[k] = value("a value of " + what);
+    if (k > 0 && !(read.temperature[k] > read.temperature[k - 1]))
+      words.fail("the temperatures of " + what + " must increase");
+  }
+  read.integrate();
+  return read;
+}
+
+void read_expansion(Words& words, SolidemBeamWarmth& warmth) {
+  warmth.expansion_coefficient = read_over_temperature(words, "expansion", false);
+  if (words.word("from") != "from")
+    words.fail(
+        "after the coefficient of expansion comes 'from' and the temperature at which bonds "
+        "are as long as when first seen");
+  warmth.reference_temperature = words.not_negative("the reference temperature of expansion");
+}
+
+double read_fraction(Words& words, const std::string& what) {
+  const double fraction = words.not_negative(what);
+  if (fraction > 1.0) words.fail(what + " must not be above 1");
+  return fraction;
+}
+
+// What does not go together once all words are read.
+void require_heat_words_to_fit(Words& words, const SolidemBeam& beam) {
+  if (beam.plastic_heat > 0.0 && !beam.flows)
+    words.fail("plastic_heat needs plasticity: else no bond flows");
+  if (beam.feels_rate() != (beam.rate_time > 0.0))
+    words.fail(beam.feels_rate()
+                   ? "a yield law that looks at the rate of flow needs rate_time, over "
+                     "which the rate is averaged"
+                   : "rate_time needs a yield law that looks at the rate of flow");
+  if (beam.expands() && std::isfinite(beam.rebonding_pressure))
+    words.fail("rebonding_pressure does not go with expansion");
 }
 
 void read_rupture(Words& words, SolidemBeam& beam) {
@@ -210,6 +260,25 @@ std::string law_words(const AnyLaw& any) {
         return words;
       },
       any);
+}
+
+// A property over temperature as it is read; nothing where it is not given.
+std::string over_temperature_words(const std::string& key, const SolidemOverTemperature& any) {
+  if (!any.is_given()) return "";
+  if (any.points == 1) return key + full(any.value[0]);
+  std::string words = key + "table " + std::to_string(any.points);
+  for (int k = 0; k < any.points; k++)
+    words += " " + full(any.temperature[k]) + " " + full(any.value[k]);
+  return words;
+}
+
+std::string heat_words(const SolidemBeam& beam) {
+  std::string words = over_temperature_words(" expansion ", beam.warmth.expansion_coefficient);
+  if (beam.expands()) words += " from " + full(beam.warmth.reference_temperature);
+  words += over_temperature_words(" softening ", beam.warmth.modulus_ratio);
+  if (beam.plastic_heat > 0.0) words += " plastic_heat " + full(beam.plastic_heat);
+  if (beam.rate_time > 0.0) words += " rate_time " + full(beam.rate_time);
+  return words;
 }
 
 // Where a beam is judged, unless it is where all are.
@@ -253,11 +322,20 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
       beam.rebonding_pressure = words.positive(key);
     else if (key == "damping")
       beam.damping_ratio = words.positive("the critical ratio of damping");
+    else if (key == "expansion")
+      read_expansion(words, beam.warmth);
+    else if (key == "softening")
+      beam.warmth.modulus_ratio = read_over_temperature(words, key, true);
+    else if (key == "plastic_heat")
+      beam.plastic_heat = read_fraction(words, key);
+    else if (key == "rate_time")
+      beam.rate_time = words.positive(key);
     else
       words.fail(
           "unknown keyword '" + key +
           "'; known are law, plasticity, yield_section, rupture_stress, rupture_strain, rupture, "
-          "rupture_section, contact, rebonding_pressure, damping");
+          "rupture_section, contact, rebonding_pressure, damping, expansion, softening, "
+          "plastic_heat, rate_time");
   }
   if (beam.contact_ratio > 0.0 && !beam.may_break())
     words.fail(
@@ -267,6 +345,7 @@ SolidemBeam solidem_read_beam(LAMMPS* liggghts, int narg, char** arg) {
     words.fail("rebonding_pressure needs contact: only contacts make bonds anew");
   if (std::isfinite(beam.rebonding_pressure) && beam.is_offset())
     words.fail("rebonding_pressure goes with any plasticity or none, but not scaled-offset");
+  require_heat_words_to_fit(words, beam);
   const solidem::JudgedSection middle = solidem::JudgedSection::middle;
   if (beam.yield_section != middle && !beam.flows)
     words.fail("yield_section needs plasticity: else nothing yields");
@@ -293,7 +372,7 @@ std::string solidem_write_beam(const SolidemBeam& beam) {
   if (std::isfinite(beam.rebonding_pressure))
     line += " rebonding_pressure " + full(beam.rebonding_pressure);
   if (beam.damping_ratio > 0.0) line += " damping " + full(beam.damping_ratio);
-  return line;
+  return line + heat_words(beam);
 }
 
 }  // namespace LAMMPS_NS

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Copyright (C) solidem developers
+//
+// This program is free software: you can redistribute it and/or modify it under the terms of the
+// GNU General Public License as published by the Free Software Foundation, either version 2 of the
+// License, or (at your option) any later version. It comes with NO WARRANTY.
+//
+// Contributing author: solidem developers
+
+// Heat through a time step.
+//
+// By itself heat steps as forces do: fluxes of all fixes in post_force, temperatures after them.
+// Where bonds give heat or look at temperatures it steps before the bonds act in the new pose: what
+// flow made until the last pose comes to the atoms, then heat is conducted over the step, and bonds
+// see the temperatures that hold in their pose. So does solidem's own step.
+#include <algorithm>
+
+#include "atom.h"
+#include "bond_solidem_beam.h"
+#include "fix_property_atom.h"
+#include "fix_solidem_conduction.h"
+#include "fix_solidem_exchange.h"
+#include "fix_solidem_temperature.h"
+#include "force.h"
+#include "modify.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+void FixSolidemConduction::find_what_bonds_ask() {
+  const BondSolidemBeam* beams = dynamic_cast<BondSolidemBeam*>(force->bond);
+  leads_ = beams && (beams->follows_temperature() || beams->gives_heat());
+  waiting_heat = NULL;
+  if (!beams || !beams->gives_heat()) return;
+  waiting_heat = static_cast<FixPropertyAtom*>(
+      modify->find_fix_property("waitingHeat", "property/atom", "scalar", 0, 0, style));
+}
+
+void FixSolidemConduction::post_integrate() {
+  if (!leads_) return;
+  std::vector<FixSolidemTemperature*> imposed;
+  for (int k = 0; k < modify->nfix; k++)
+    if (auto* one = dynamic_cast<FixSolidemTemperature*>(modify->fix[k])) imposed.push_back(one);
+  take_waiting_heat();
+  for (FixSolidemTemperature* one : imposed) one->hold();
+  double* flux = heat_flux->vector_atom;
+  std::fill_n(flux + atom->nlocal, atom->nghost, 0.0);
+  conduct();
+  for (int k = 0; k < modify->nfix; k++)
+    if (auto* wall = dynamic_cast<FixSolidemExchange*>(modify->fix[k])) wall->exchange();
+  step();
+  for (FixSolidemTemperature* one : imposed) one->move_on();
+}
+
+// What a temperature cannot show of it, for it has no such digits, waits on: nothing is lost.
+void FixSolidemConduction::take_waiting_heat() {
+  if (!waiting_heat) return;
+  double* waiting = waiting_heat->vector_atom;
+  double* temp = temperature->vector_atom;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (waiting[i] == 0.0) continue;
+    const double before = temp[i], capacity = heat_capacity(i);
+    temp[i] += waiting[i] / capacity;
+    waiting[i] -= (temp[i] - before) * capacity;
+  }
+}
+
+// Other fixes add to the fluxes too; temperatures change after all have done so.
+void FixSolidemConduction::post_force(int) {
+  if (!leads_) conduct();
+}
+
+void FixSolidemConduction::conduct() {
+  const int nlocal = atom->nlocal;
+  const bool newton_bond = force->newton_bond;
+  const double* temp = temperature->vector_atom;
+  double* flux = heat_flux->vector_atom;
+
+  temperature->do_forward_comm();
+  for (const Conductor& bond : conductors) {
+    const double power = bond.conductance * (temp[bond.j] - temp[bond.i]);
+    flux[bond.i] += power;
+    if (newton_bond || bond.j < nlocal) flux[bond.j] -= power;
+  }
+  if (newton_bond) heat_flux->do_reverse_comm();
+}
+
+void FixSolidemConduction::final_integrate() {
+  if (!leads_) step();
+}
+
+void FixSolidemConduction::step() {
+  if (step_of_capacities != update->dt) {  // the time step was changed in mid-run
+    find_steps();
+    require_stable_step();
+  }
+  double* temp = temperature->vector_atom;
+  const double* flux = heat_flux->vector_atom;
+  const double* source = heat_source->vector_atom;
+  for (int i = 0; i < atom->nlocal; i++) temp[i] += step_over_capacity[i] * (flux[i] + source[i]);
+}
