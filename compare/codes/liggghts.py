@@ -283,6 +283,9 @@ class Liggghts:
         if not (job.parameters.beams or job.parameters.central_forces or job.parameters.is_loose):
             return history
         rows = read_rows(directory / "history.txt", self.name)
+        if history:  # which may begin a row earlier
+            at = np.isin(history["step"], rows[:, 0])
+            history = {name: column[at] for name, column in history.items()}
         history |= {"step": rows[:, 0], "time": rows[:, 0] * job.parameters.time_step}
         names = list(_motion_columns(job.parameters))
         history |= {name: rows[:, 1 + n] for n, name in enumerate(names)}
