@@ -34,22 +34,21 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--frame-every", type=int, help="steps between frames (1/10 of the run)")
     parser.add_argument("--law", choices=["native", "incremental", "scripted"],
                         help="default: native; scripted for conduction of law voronoi, for beams that "
-                        "flow or break and for central forces")
+                        "flow, break or conduct heat and for central forces")
     return parser.parse_args(sys.argv[1:])
 
 
 def _default_law(parameters: Parameters) -> str:
     """YADE's own laws, where it has them."""
     has_faces = parameters.conduction is not None and parameters.conduction.law == "voronoi"
-    beams_change = parameters.plasticity is not None or parameters.rupture is not None
+    beams_change = (parameters.plasticity is not None or parameters.rupture is not None
+                    or parameters.beams is not None and parameters.conduction is not None)
     central = parameters.central_forces is not None
     return "scripted" if has_faces or beams_change or central else "native"
 
 
 def _scene(specimen: Specimen, parameters: Parameters, law: str):
     parameters.require_support()
-    if parameters.beams and parameters.conduction:
-        raise SystemExit("run.py: beams and conduction together are not supported in YADE")
     if parameters.tools and not parameters.is_loose:
         raise SystemExit("run.py: [[tools]] are understood of loose elements alone")
     if parameters.initial_velocities and not parameters.is_loose:
@@ -64,6 +63,12 @@ def _scene(specimen: Specimen, parameters: Parameters, law: str):
         if law != "scripted":
             raise SystemExit("run.py: central forces need --law scripted")
         return CentralForceScene(specimen, parameters)
+    if parameters.beams and parameters.conduction:
+        from scripted_coupled import CoupledScene
+
+        if law != "scripted":
+            raise SystemExit("run.py: beams that conduct heat need --law scripted")
+        return CoupledScene(specimen, parameters)
     if parameters.beams and law == "scripted":
         from scripted_beams import ScriptedBeamScene
 
