@@ -2,6 +2,7 @@
 #include "effects/heat_exchange.hpp"
 
 #include "effects/effect_kind.hpp"
+#include "effects/exposed_surface.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "effects/heat_places.hpp"
 #include "keys/rules.hpp"
@@ -9,14 +10,14 @@
 
 namespace solidem {
 
-HeatExchange::HeatExchange(const ImposedTemperatureParameters& parameters,
-                           std::vector<WallFace> faces, const Conduction& conduction)
+HeatExchange::HeatExchange(const ImposedTemperatureParameters& parameters, HeatedFaces faces,
+                           const Conduction& conduction)
     : HeatLoad("temperature." + parameters.name),
       faces_(std::move(faces)),
       outside_(parameters.temperature),
       conduction_(conduction) {}
 
-HeatExchange::HeatExchange(const ConvectionParameters& parameters, std::vector<WallFace> faces,
+HeatExchange::HeatExchange(const ConvectionParameters& parameters, HeatedFaces faces,
                            const Conduction& conduction)
     : HeatLoad("convection." + parameters.name),
       faces_(std::move(faces)),
@@ -42,7 +43,7 @@ void HeatExchange::powers(double time, const double* temperature,
 void HeatExchange::conductances(double time, const double* temperature,
                                 std::vector<ElementValue>& conductances) const {
   const double h = coefficient(time);
-  for (const WallFace& face : faces_) {
+  for (const WallFace& face : *faces_.now) {
     const auto i = static_cast<std::size_t>(face.element);
     conductances.push_back(
         {face.element, conductance(face, conduction_.conductivity(i, temperature[i]), h)});
@@ -51,7 +52,7 @@ void HeatExchange::conductances(double time, const double* temperature,
 
 void HeatExchange::largest_conductances(std::vector<ElementValue>& conductances) const {
   const double h = coefficient_ ? coefficient_->largest() : 0;
-  for (const WallFace& face : faces_) {
+  for (const WallFace& face : faces_.largest) {
     const auto i = static_cast<std::size_t>(face.element);
     conductances.push_back(
         {face.element, conductance(face, conduction_.largest_conductivity(i), h)});
@@ -68,27 +69,37 @@ namespace {
 std::vector<Key> convection_keys(ConvectionParameters& p, Reading& reading) {
   return {must_have("name", name(p.name, reading.taken)).means("names its columns"),
           must_have("wall", wall(p.wall)),
+          may_have("region", region(p.region, reading.regions))
+              .means(region_of_exposed)
+              .without("all of it"),
           must_have("coefficient", function(p.coefficient, dimension::heat_transfer, not_negative)),
           must_have("temperature", function(p.temperature, dimension::temperature, not_negative))
               .means("of the fluid")};
 }
 
+void finish_convection(const Section& section, ConvectionParameters& p, Reading& /*reading*/) {
+  check_exposed_region(section, p.wall);
+}
+
 void plan_convections(const Setup& setup, Plan& plan) {
-  for (const ConvectionParameters& convection : setup.all<ConvectionParameters>())
-    plan.effects.push_back(
-        {"convection " + convection.name, "[[convections]]", "", Phase::heat,
-         [convection](Assembly& assembly) {
-           return std::make_unique<HeatExchange>(
-               convection, faces_of(assembly, "convections", convection.name, convection.wall),
-               assembly.need<Conduction>());
-         }});
+  for (const ConvectionParameters& convection : setup.all<ConvectionParameters>()) {
+    plan_exposed_surface(convection.wall, "[[convections]]", plan);
+    plan.effects.push_back({"convection " + convection.name, "[[convections]]", "", Phase::heat,
+                            [convection](Assembly& assembly) {
+                              return std::make_unique<HeatExchange>(
+                                  convection,
+                                  faces_of(assembly, "convections", convection.name,
+                                           convection.wall, convection.region),
+                                  assembly.need<Conduction>());
+                            }});
+  }
 }
 
 }  // namespace
 
 EffectKind convections_kind() {
-  EffectKind kind = list_kind<ConvectionParameters>("convections", convection_keys,
-                                                    as_read<ConvectionParameters>);
+  EffectKind kind =
+      list_kind<ConvectionParameters>("convections", convection_keys, finish_convection);
   kind.needs = Provides::heat;
   kind.plan = plan_convections;
   kind.example =

@@ -7,6 +7,7 @@
 #include "effects/conduction.hpp"
 #include "effects/heat_load.hpp"
 #include "effects/heat_load_parameters.hpp"
+#include "effects/heated_faces.hpp"
 
 namespace solidem {
 
@@ -15,15 +16,15 @@ namespace solidem {
 class HeatExchange : public HeatLoad {
  public:
   /// A wall held at a temperature.
-  HeatExchange(const ImposedTemperatureParameters& parameters, std::vector<WallFace> faces,
+  HeatExchange(const ImposedTemperatureParameters& parameters, HeatedFaces faces,
                const Conduction& conduction);
   /// Convection along a wall.
-  HeatExchange(const ConvectionParameters& parameters, std::vector<WallFace> faces,
+  HeatExchange(const ConvectionParameters& parameters, HeatedFaces faces,
                const Conduction& conduction);
 
   void powers(double time, const double* temperature,
               std::vector<ElementValue>& powers) const override;
-  bool is_steady() const override { return outside_.is_constant() && is_linear(); }
+  bool is_steady() const override { return faces_.stay && outside_.is_constant() && is_linear(); }
   void conductances(double time, const double* temperature,
                     std::vector<ElementValue>& conductances) const override;
   void largest_conductances(std::vector<ElementValue>& conductances) const override;
@@ -37,7 +38,7 @@ class HeatExchange : public HeatLoad {
   double conductance(const WallFace& face, double conductivity, double coefficient) const;
   double coefficient(double time) const { return coefficient_ ? (*coefficient_)(time) : 0; }
 
-  std::vector<WallFace> faces_;
+  HeatedFaces faces_;
   TimeFunction outside_;                     ///< temperature, K
   std::optional<TimeFunction> coefficient_;  ///< of convection; none: the surface is at `outside`
   const Conduction& conduction_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "effects/effect_kind.hpp"
+#include "effects/exposed_surface.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "effects/heat_places.hpp"
 #include "effects/moving_shape.hpp"
@@ -15,8 +16,10 @@ namespace solidem {
 
 void HeatFlux::powers(double time, const double* /*temperature*/,
                       std::vector<ElementValue>& powers) const {
-  std::vector<ElementValue> areas = faces_;
+  std::vector<ElementValue> areas;
   const double lit = spread_ != nullptr ? spread_->at(time, areas) : 0;
+  if (spread_ == nullptr)
+    for (const WallFace& face : *faces_.now) areas.push_back({face.element, face.area});
   double sum = 0;
   for (const ElementValue& area : areas) sum += area.value;
   double flux = parameters_.flux(time);
@@ -53,6 +56,9 @@ std::vector<Key> flux_keys(ReadFlux& p, Reading& reading) {
   std::vector<Key> keys{
       must_have("name", name(p.flux.name, reading.taken)).means("names its columns"),
       must_have("wall", wall(p.flux.wall)),
+      may_have("region", region(p.flux.region, reading.regions))
+          .means(region_of_exposed)
+          .without("all of it"),
       may_have("flux", function(p.flux.flux, dimension::heat_flux))
           .means("into the body; of a Gaussian spot, its peak")
           .without("either this"),
@@ -73,6 +79,11 @@ void finish_flux(const Section& section, ReadFlux& p) {
   section.exactly_one_of({"flux", "power"});
   section.at_most_one_of({"shape", "spot_radius"});
   p.flux.is_power = section.has("power");
+  check_exposed_region(section, p.flux.wall);
+  for (const char* part : {"shape", "spot_radius"})
+    if (section.has(part) && p.flux.wall == ExposedSurface::word)
+      section.refuse(part, "the exposed surface is known by its elements alone",
+                     "a region, or the name of a wall");
   if (p.flux.shape || p.flux.spot_radius) {
     p.flux.position = finish_path(section, p.path);
     return;
@@ -126,16 +137,18 @@ std::unique_ptr<HeatSpread> spread_of(const HeatFluxParameters& flux, Assembly& 
 }
 
 std::unique_ptr<Effect> make_flux(const HeatFluxParameters& flux, Assembly& assembly) {
-  std::vector<WallFace> faces = faces_of(assembly, "heat_fluxes", flux.name, flux.wall);
+  HeatedFaces faces = faces_of(assembly, "heat_fluxes", flux.name, flux.wall, flux.region);
   if (flux.shape || flux.spot_radius)
     return std::make_unique<HeatFlux>(flux, spread_of(flux, assembly));
-  return std::make_unique<HeatFlux>(flux, faces);
+  return std::make_unique<HeatFlux>(flux, std::move(faces));
 }
 
 void plan_fluxes(const Setup& setup, Plan& plan) {
-  for (const HeatFluxParameters& flux : setup.all<HeatFluxParameters>())
+  for (const HeatFluxParameters& flux : setup.all<HeatFluxParameters>()) {
+    plan_exposed_surface(flux.wall, "[[heat_fluxes]]", plan);
     plan.effects.push_back({"heat flux " + flux.name, "[[heat_fluxes]]", "", Phase::heat,
                             [flux](Assembly& assembly) { return make_flux(flux, assembly); }});
+  }
 }
 
 }  // namespace

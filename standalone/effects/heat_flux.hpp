@@ -9,6 +9,7 @@
 #include "effects/heat_load.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "effects/heat_spread.hpp"
+#include "effects/heated_faces.hpp"
 
 namespace solidem {
 
@@ -16,10 +17,10 @@ namespace solidem {
 /// shape or under a Gaussian spot, which may move.
 class HeatFlux : public HeatLoad {
  public:
-  HeatFlux(const HeatFluxParameters& parameters, const std::vector<WallFace>& faces)
-      : HeatLoad("heat_flux." + parameters.name), parameters_(parameters) {
-    for (const WallFace& face : faces) faces_.push_back({face.element, face.area});
-  }
+  HeatFlux(const HeatFluxParameters& parameters, HeatedFaces faces)
+      : HeatLoad("heat_flux." + parameters.name),
+        parameters_(parameters),
+        faces_(std::move(faces)) {}
   /// `spread`: of the area that is heated, m²; under a Gaussian spot weighted with flux over peak.
   HeatFlux(const HeatFluxParameters& parameters, std::unique_ptr<HeatSpread> spread)
       : HeatLoad("heat_flux." + parameters.name),
@@ -29,14 +30,14 @@ class HeatFlux : public HeatLoad {
   void powers(double time, const double* temperature,
               std::vector<ElementValue>& powers) const override;
   bool is_steady() const override {
-    return parameters_.flux.is_constant() && (spread_ == nullptr || spread_->rests());
+    return parameters_.flux.is_constant() && (spread_ == nullptr ? faces_.stay : spread_->rests());
   }
   /// Refuses a part that meets the wall at no time.
   void start(const Model& model, double duration) override;
 
  private:
   HeatFluxParameters parameters_;
-  std::vector<ElementValue> faces_;     ///< of the whole wall, m²
+  HeatedFaces faces_{};                 ///< of the whole wall
   std::unique_ptr<HeatSpread> spread_;  ///< of a part
 };
 

@@ -20,7 +20,7 @@ struct ImposedTemperatureParameters {
   std::string name;
   Region region;
   TimeFunction temperature;  ///< K
-  std::string wall{};        ///< if given, of this wall, and not of the elements of a region
+  std::string wall{};        ///< if given, of this wall, and not of elements themselves
 };
 
 /// Heat that flows into the body through a wall, or through a part of it that may move.
@@ -32,6 +32,7 @@ struct HeatFluxParameters {
   std::optional<Shape> shape{};            ///< around its origin: the part of the wall inside
   std::optional<double> spot_radius{};     ///< of a Gaussian spot: where it has fallen to 1/e², m
   std::array<TimeFunction, 3> position{};  ///< of the shape's origin or the spot's centre, m
+  Region region{};                         ///< of the exposed surface: through these elements
 };
 
 /// Heat exchanged with a fluid along a wall.
@@ -40,6 +41,7 @@ struct ConvectionParameters {
   std::string wall;
   TimeFunction coefficient;  ///< h, W/(m² K)
   TimeFunction temperature;  ///< of the fluid, K
+  Region region{};           ///< of the exposed surface: of these elements
 };
 
 /// Heat that arises inside the body, in a region at rest or in a shape that may move.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "effects/contact_conduction.hpp"
+#include "effects/exposed_surface.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"
 
@@ -21,10 +22,25 @@ std::vector<int> ways_of_heat(const Assembly& assembly) {
 
 }  // namespace
 
-std::vector<WallFace> faces_of(const Assembly& assembly, const std::string& section,
-                               const std::string& name, const std::string& wall) {
+namespace {
+
+HeatedFaces exposed_faces(const Assembly& assembly, const std::string& target,
+                          const Region& region) {
+  HeatedFaces faces = assembly.need<ExposedSurface>().part(select(region, assembly.specimen()));
+  if (faces.now->empty())
+    throw InputError(target +
+                     ": no element of its region is at the surface; the body lies between " +
+                     bounds(assembly.specimen()));
+  return faces;
+}
+
+}  // namespace
+
+HeatedFaces faces_of(const Assembly& assembly, const std::string& section, const std::string& name,
+                     const std::string& wall, const Region& region) {
   const auto found = assembly.geometry.walls.find(wall);
   const std::string target = "[[" + section + "]] \"" + name + "\": wall = \"" + wall + "\"";
+  if (wall == ExposedSurface::word) return exposed_faces(assembly, target, region);
   if (found == assembly.geometry.walls.end()) {
     std::string known;
     for (const auto& [other, faces] : assembly.geometry.walls)
@@ -32,19 +48,19 @@ std::vector<WallFace> faces_of(const Assembly& assembly, const std::string& sect
     if (known.empty() && assembly.specimen().outline != nullptr)
       throw InputError(target +
                        ": under a platonic law a body with cuts, or of a mesh, has no walls; "
-                       "expected [conduction] law = \"voronoi\", or a region");
+                       "expected [conduction] law = \"voronoi\", a region, or wall = \"exposed\"");
     throw InputError(
         target + ": the body has no such wall; expected one of " +
         (known.empty()
              ? "those of a shape, and this body has none; [specimen] shape and its measures "
-               "give one to the spheres of a file"
-             : known));
+               "give one to the spheres of a file; or wall = \"exposed\", the whole surface"
+             : known + "; or \"exposed\", the whole surface"));
   }
   if (found->second.empty())
     throw InputError(target +
                      ": no element reaches it; expected a body that fills its bounds, or a region "
                      "in target of the wall");
-  return found->second;
+  return {std::make_shared<std::vector<WallFace>>(found->second), found->second, true};
 }
 
 std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::string& name,
@@ -95,10 +111,19 @@ void check_images(const Assembly& assembly, const std::string& what, const Heate
 }
 
 Rule wall(std::string& target) {
-  const std::string expected = "the name of a wall of the body such as \"x_low\" or \"side\"";
+  const std::string expected =
+      "the name of a wall of the body such as \"x_low\" or \"side\", or \"exposed\" for its whole "
+      "surface";
   return {expected, [&target](const Value& value) {
             target = read_text(value, "the name of a wall such as \"x_low\"");
           }};
+}
+
+const char* const region_of_exposed = "with `wall = \"exposed\"`: only what its elements show";
+
+void check_exposed_region(const Section& section, const std::string& wall) {
+  if (section.has("region") && wall != ExposedSurface::word)
+    section.refuse("region", "a wall is heated as a whole", "wall = \"exposed\" beside it");
 }
 
 }  // namespace solidem

@@ -9,14 +9,15 @@
 
 #include "effects/assembly.hpp"
 #include "effects/heat_spread.hpp"
+#include "effects/heated_faces.hpp"
 #include "keys/section.hpp"
 
 namespace solidem {
 
-/// The faces of a wall, for an entry of a section. Throws InputError when the body has no such wall
-/// or no element is there.
-std::vector<WallFace> faces_of(const Assembly& assembly, const std::string& section,
-                               const std::string& name, const std::string& wall);
+/// The faces of a wall, for an entry of a section; of the exposed surface, those of the elements of
+/// a region. Throws InputError when the body has no such wall or no element is there.
+HeatedFaces faces_of(const Assembly& assembly, const std::string& section, const std::string& name,
+                     const std::string& wall, const Region& region = {});
 
 /// The elements of a region, entered under a name. Throws InputError when there are none, or when
 /// none of them conducts.
@@ -36,6 +37,10 @@ void check_images(const Assembly& assembly, const std::string& what, const Heate
 
 /// The name of a wall.
 Rule wall(std::string& target);
+/// What a `region` beside it means.
+extern const char* const region_of_exposed;
+/// Refuses a region beside a wall that is all of it heated.
+void check_exposed_region(const Section& section, const std::string& wall);
 
 }  // namespace solidem
 

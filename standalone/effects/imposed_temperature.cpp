@@ -2,6 +2,7 @@
 #include "effects/imposed_temperature.hpp"
 
 #include "effects/effect_kind.hpp"
+#include "effects/exposed_surface.hpp"
 #include "effects/heat_exchange.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "effects/heat_places.hpp"
@@ -40,7 +41,7 @@ std::vector<Key> temperature_keys(ImposedTemperatureParameters& p, Reading& read
   return {
       must_have("name", name(p.name, reading.taken)).means("names its columns"),
       may_have("region", region(p.region, reading.regions))
-          .means("its elements have this temperature")
+          .means("its elements have this temperature; " + std::string(region_of_exposed))
           .without("either this"),
       may_have("wall", wall(p.wall))
           .means("its surface has this temperature, heat flows from it to the elements' centres")
@@ -48,15 +49,15 @@ std::vector<Key> temperature_keys(ImposedTemperatureParameters& p, Reading& read
       must_have("value", function(p.temperature, dimension::temperature, not_negative))};
 }
 
-void finish_temperature(const Section& section, ImposedTemperatureParameters& /*p*/,
+void finish_temperature(const Section& section, ImposedTemperatureParameters& p,
                         Reading& /*reading*/) {
-  section.exactly_one_of({"region", "wall"});
+  if (p.wall != ExposedSurface::word) section.exactly_one_of({"region", "wall"});
 }
 
 std::unique_ptr<Effect> make_held_wall(const ImposedTemperatureParameters& imposed,
                                        Assembly& assembly) {
   return std::make_unique<HeatExchange>(
-      imposed, faces_of(assembly, "temperatures", imposed.name, imposed.wall),
+      imposed, faces_of(assembly, "temperatures", imposed.name, imposed.wall, imposed.region),
       assembly.need<Conduction>());
 }
 
@@ -73,12 +74,14 @@ void plan_temperatures(const Setup& setup, Plan& plan) {
   // Elements that are held come last: they are set after others have changed them.
   for (const bool of_wall : {true, false})
     for (const ImposedTemperatureParameters& imposed : setup.all<ImposedTemperatureParameters>())
-      if (imposed.wall.empty() != of_wall)
+      if (imposed.wall.empty() != of_wall) {
+        plan_exposed_surface(imposed.wall, "[[temperatures]]", plan);
         plan.effects.push_back({"temperature " + imposed.name, "[[temperatures]]", "", Phase::heat,
                                 [imposed, of_wall](Assembly& assembly) {
                                   return of_wall ? make_held_wall(imposed, assembly)
                                                  : make_held_elements(imposed, assembly);
                                 }});
+      }
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "effects/kernels/kernels.hpp"
-#include "laws/constants.hpp"
+#include "effects/spread_directions.hpp"
 #include "model/blocks.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "specimen/pieces.hpp"
@@ -15,17 +15,6 @@ namespace solidem {
 namespace {
 
 constexpr int directions = 400;
-
-/// Directions that are spread evenly: a spiral of the golden angle (Vogel 1979).
-std::vector<Vector> spread_directions() {
-  std::vector<Vector> spread;
-  const double golden_angle = pi * (3 - std::sqrt(5.0));
-  for (int k = 0; k < directions; ++k) {
-    const double z = 1 - (2 * k + 1.0) / directions, r = std::sqrt(1 - z * z);
-    spread.push_back({r * std::cos(k * golden_angle), r * std::sin(k * golden_angle), z});
-  }
-  return spread;
-}
 
 /// What stands around an element.
 struct Obstacle {
@@ -88,7 +77,7 @@ std::vector<std::int32_t> surface_elements(const Specimen& specimen,
   const double probe = *std::min_element(specimen.radius.begin(), specimen.radius.end());
   const Neighbourhood near = find_neighbours(specimen.domain, specimen.position, specimen.radius, 1,
                                              2 * probe, {}, kernels().pick_near);
-  const std::vector<Vector> spread = spread_directions();
+  const std::vector<Vector> spread = spread_directions(directions);
   const std::vector<std::int32_t> piece = lowest_of_piece(specimen.size(), bonds);
   std::vector<char> exposed(specimen.size(), 0);
   constexpr std::size_t least = 1000;  // elements: below, a second thread costs more than it saves

@@ -35,6 +35,7 @@ Heat::Heat(const ConductionParameters& parameters, double area_factor, std::vect
     if (auto* heating = dynamic_cast<HeatOfMotion*>(effect)) of_motion_.push_back(heating);
     if (auto* following = dynamic_cast<FollowsTemperature*>(effect))
       following_.push_back(following);
+    if (auto* surface = dynamic_cast<ExposedSurface*>(effect)) surface_ = surface;
     if (auto* clock = dynamic_cast<HeatClock*>(effect)) clock_ = clock;
   }
   const std::vector<ElementValue> exchange = largest_exchange();
@@ -88,8 +89,15 @@ void Heat::take_heat_of_motion(const Step& step) {
   for (ImposedTemperature* imposed : imposed_) imposed->hold(model_, step.time);
 }
 
+bool Heat::follow_bonds() {
+  const bool conducts_otherwise = conduction_->follow_bonds(model_);
+  if (surface_ == nullptr || !surface_->follow_bonds()) return conducts_otherwise;
+  model_.touch_conductors();
+  return true;
+}
+
 void Heat::advance(const Step& motion) {
-  if (conduction_->follow_bonds(model_))
+  if (follow_bonds())
     adopt_conductors(motion.time, clock_ != nullptr ? clock_->length(motion) : motion.time_step);
   const std::optional<Step> step = clock_ != nullptr ? clock_->pass(motion) : motion;
   if (!step) return;

@@ -8,6 +8,7 @@
 
 #include "effects/conduction.hpp"
 #include "effects/conduction_parameters.hpp"
+#include "effects/exposed_surface.hpp"
 #include "effects/heat_clock.hpp"
 #include "effects/imposed_temperature.hpp"
 #include "effects/setup.hpp"
@@ -63,6 +64,8 @@ class Heat {
   void take_heat_of_motion(const Step& step);
   /// Conducts and heats over a step.
   void carry(const Step& step);
+  /// Takes in which bonds broke or were made; whether heat passes otherwise now.
+  bool follow_bonds();
   /// Makes known that bonds changed what conducts. Throws RunError where that makes the explicit
   /// time step too long, unless it was so from the start.
   void adopt_conductors(double time, double time_step);
@@ -78,7 +81,8 @@ class Heat {
   std::vector<ImposedTemperature*> imposed_;
   std::vector<HeatOfMotion*> of_motion_;
   std::vector<FollowsTemperature*> following_;
-  HeatClock* clock_ = nullptr;  ///< none: heat steps with the motion
+  ExposedSurface* surface_ = nullptr;  ///< none: nobody heats it
+  HeatClock* clock_ = nullptr;         ///< none: heat steps with the motion
   TimeStepCriterion criterion_;
   double limit_ = 0;
   std::unique_ptr<HeatedModel> heated_;

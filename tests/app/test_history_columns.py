@@ -34,6 +34,11 @@ name = "air"
 wall = "y_high"
 coefficient = "10 W/(m^2 K)"
 temperature = "300 K"
+[[convections]]
+name = "wind"
+wall = "exposed"
+coefficient = "10 W/(m^2 K)"
+temperature = "300 K"
 [[heat_sources]]
 name = "inside"
 power = "1 W"
@@ -147,4 +152,4 @@ def test_each_column_on_the_page_is_in_a_run(solidem: Program) -> None:
 def test_each_column_on_the_page_has_a_unit() -> None:
     rows = re.findall(r"^\| `[\w.]+` \| ([^|]*) \|", PAGE.read_text(), flags=re.MULTILINE)
     assert len(rows) == len(columns_of_the_page())
-    assert set(rows) <= {"1", "s", "m", "m/s", "rad", "N", "N m", "Pa", "J", "W", "K"}
+    assert set(rows) <= {"1", "s", "m", "m²", "m/s", "rad", "N", "N m", "Pa", "J", "W", "K"}

@@ -88,6 +88,21 @@ const BadScene bad[] = {
      with("[[heat_fluxes]]\nname = \"in\"\nflux = \"1 W/m^2\""),
      "[[heat_fluxes]]",
      {"wall is missing", "x_low"}},
+    {"region_of_a_whole_wall",
+     heat,
+     "[run]",
+     with("[[convections]]\nname = \"air\"\nwall = \"side\"\n"
+          "region = { axis = \"x\", side = \"low\", layers = 2 }\n"
+          "coefficient = \"1 W/(m^2 K)\"\ntemperature = \"25 °C\""),
+     "layers = 2",
+     {"a wall is heated as a whole", "\"exposed\""}},
+    {"spot_on_the_exposed_surface",
+     heat,
+     "[run]",
+     with("[[heat_fluxes]]\nname = \"in\"\nwall = \"exposed\"\nflux = \"1 W/m^2\"\n"
+          "spot_radius = \"1 mm\"\ncentre = [\"0 m\", \"0 m\", \"0 m\"]"),
+     "spot_radius",
+     {"known by its elements alone", "a region"}},
     {"convection_below_zero",
      heat,
      "[run]",
