@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -13,9 +14,11 @@
 #include "app/say.hpp"
 #include "effects/beam_parameters.hpp"
 #include "effects/beams.hpp"
+#include "effects/bond_temperature.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/grip_parameters.hpp"
 #include "effects/turning_grip.hpp"
+#include "engine/heat_at_rest.hpp"
 #include "keys/nearest_name.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/error.hpp"
@@ -49,8 +52,9 @@ Json json_of(const Vector& v) {
 struct StaticScene {
   Specimen specimen;
   BeamNetwork network;
-  std::vector<double> mass;
-  double time;  ///< s, at which the grips stand
+  std::vector<double> mass, volume;  ///< of each element, kg, and that it stands for, m³
+  std::vector<double> temperature;   ///< where the bonds expand, K
+  double time;                       ///< s, at which the grips stand
   GripConditions conditions;
   std::vector<std::string> notes;  ///< on what is left out
 };
@@ -67,16 +71,20 @@ std::vector<std::string> sections_left_out(const Scene& scene) {
   const auto is_one_of = [](const std::string& section, std::initializer_list<const char*> names) {
     return std::find(names.begin(), names.end(), section) != names.end();
   };
+  const bool expands = scene.setup.get<ExpansionParameters>().has_value();
   std::vector<std::string> left_out;
   for (const EffectKind& kind : effect_kinds()) {
     // Of yield and rupture the solution tells by itself whether they would count.
     if (!kind.is_named(scene.setup) ||
         is_one_of(kind.section, {"beams", "grips", "plasticity", "rupture"}))
       continue;
+    if (expands &&
+        is_one_of(kind.section, {"expansion", "conduction", "thermal_contacts", "heat_sources",
+                                 "heat_fluxes", "convections", "temperatures"}))
+      continue;
     const std::string name = kind.is_list ? "[[" + kind.section + "]]" : "[" + kind.section + "]";
     const bool is_thermal = kind.provides == Provides::heat || kind.needs == Provides::heat;
-    const bool changes_bonds = is_one_of(kind.section, {"expansion", "softening"});
-    if (changes_bonds ||
+    if (kind.section == "softening" ||
         (!is_thermal && !is_one_of(kind.section, {"contact", "damping", "initial_velocities"})))
       throw InputError(scene.path + ": " + name +
                        " acts in a run, and `solidem solve` does not know it; expected a scene "
@@ -141,8 +149,13 @@ void set_up(const Scene& scene, StaticScene& body) {
   body.network = beam_network(*scene.setup.get<BeamParameters>(), body.specimen);
   note_what_is_left_out(scene, simulation, body);
   body.mass = masses_of(simulation);
+  body.volume = represented_mass(body.specimen, {1.0});
   body.time = scene.setup.run.duration.value_or(static_cast<double>(simulation.steps_to_run()) *
                                                 simulation.time_step().value);
+  if (scene.setup.get<ExpansionParameters>()) {
+    body.temperature = temperature_at_rest(simulation, body.time);
+    body.network.thermal_strain = thermal_strain(simulation, body.network.bonds, body.temperature);
+  }
   for (const GripParameters& grip : scene.setup.all<GripParameters>())
     impose(grip, simulation.selections().at("grip." + grip.name), body.mass, body.time,
            body.conditions);
@@ -186,11 +199,14 @@ void write_trajectories(const std::string& directory, const StaticScene& body,
                         const Equilibrium& equilibrium, const std::vector<Mode>& modes) {
   TrajectoryWriter trajectory(directory + "/trajectory.h5", body.specimen);
   const auto position = moved(body.specimen, equilibrium.displacement, 1);
-  trajectory.write_frame(0, body.time,
-                         {{"position", 3, position.data()},
-                          {"displacement", 3, &equilibrium.displacement.data()->x},
-                          {"rotation", 3, &equilibrium.rotation.data()->x},
-                          {"reaction", 3, &equilibrium.reaction.data()->x}});
+  const auto stress = element_stress(body.network, equilibrium, body.volume);
+  std::vector<Field> fields{{"position", 3, position.data()},
+                            {"displacement", 3, &equilibrium.displacement.data()->x},
+                            {"rotation", 3, &equilibrium.rotation.data()->x},
+                            {"reaction", 3, &equilibrium.reaction.data()->x},
+                            {"element_stress", 6, stress.data()->data()}};
+  if (!body.temperature.empty()) fields.push_back({"temperature", 1, body.temperature.data()});
+  trajectory.write_frame(0, body.time, fields);
   if (modes.empty()) return;
   // Each mode is a frame, drawn with a tenth of the body's size.
   TrajectoryWriter shapes(directory + "/modes.h5", body.specimen);
@@ -243,9 +259,20 @@ void add_notes(const Setup& setup, double largest_strain, const Equilibrium& equ
     notes.emplace_back("the equilibrium is unstable: the body would buckle");
 }
 
+/// Whether a warm body is free to be as large as it would: its bonds' forces are but round-off.
+bool is_free_to_expand(const BeamNetwork& network, const Equilibrium& equilibrium) {
+  constexpr double round_off = 1e-9;
+  double expanded = 0, strained = 0;
+  for (const double strain : network.thermal_strain)
+    expanded = std::max(expanded, std::abs(strain));
+  for (const double strain : equilibrium.bond_strain) strained = std::max(strained, strain);
+  return strained < round_off * expanded;
+}
+
 /// Where nothing strains the bonds their forces are round-off, and none of the figures counts.
-void insist_on_balance(const Scene& scene, const Equilibrium& equilibrium) {
-  if (equilibrium.residual <= largest_residual) return;
+void insist_on_balance(const Scene& scene, const BeamNetwork& network,
+                       const Equilibrium& equilibrium) {
+  if (equilibrium.residual <= largest_residual || is_free_to_expand(network, equilibrium)) return;
   throw RunError(fmt::format(
       "{}: no equilibrium was found: forces out of balance are {:.2g} of the bonds' forces, which "
       "are no more than round-off; expected grips that strain the body",
@@ -271,6 +298,10 @@ nlohmann::ordered_json solve(const SolveCommand& command) {
   };
   StaticScene body;
   set_up(scene, body);
+  if (command.rotations != "small" && !body.temperature.empty())
+    throw InputError(scene.path +
+                     ": [expansion] is known with small rotations only; expected "
+                     "--rotations small, or a scene without it");
   lap("set-up");
   tell("{}: {} elements, {} bonds, {} rotations, at {:.4g} s -> {}\n", scene.title,
        body.specimen.size(), body.network.bonds.size(), command.rotations, body.time, directory);
@@ -280,7 +311,7 @@ nlohmann::ordered_json solve(const SolveCommand& command) {
   std::vector<Mode> modes;
   try {
     equilibrium = find_equilibrium(body, command);
-    insist_on_balance(scene, equilibrium);
+    insist_on_balance(scene, body.network, equilibrium);
     lap("equilibrium");
     modes = find_modes(body, command, equilibrium);
     lap("modes");

@@ -120,21 +120,42 @@ velocity = ["1 m/s", "0 m/s", "0 m/s"]
     assert "left out" in text
 
 
-def test_what_temperature_does_to_bonds_is_refused(solidem):
-    """The temperatures of a run are not known to a body at rest."""
-    for section in ("[expansion]", "[softening]\nmodulus_ratio = 0.5"):
-        warm = CANTILEVER.replace('density = "2790 kg/m^3"\n', f"""\
+WARM = """\
 density = "2790 kg/m^3"
 specific_heat_capacity = "880 J/(kg K)"
 conductivity = "134 W/(m K)"
 expansion_coefficient = "23e-6 1/K"
 [conduction]
 initial_temperature = "298 K"
-{section}
-""")
-        done = solidem("solve", solidem.scene("warm.toml", warm))
-        assert done.returncode == 2
-        assert f"{section.split()[0]} acts in a run" in done.stderr
+"""
+
+
+def test_moduli_over_temperature_are_refused(solidem):
+    warm = CANTILEVER.replace('density = "2790 kg/m^3"\n',
+                              WARM + "[softening]\nmodulus_ratio = 0.5\n")
+    done = solidem("solve", solidem.scene("warm.toml", warm))
+    assert done.returncode == 2
+    assert "[softening] acts in a run" in done.stderr
+
+
+def test_a_warm_body_is_as_long_as_the_heat_of_the_run_makes_it(solidem):
+    """One end is held at 298 K, the other at 398 K, for so long that the profile is straight."""
+    ends = "".join(f'[[temperatures]]\nname = "{side}"\nvalue = "{value} K"\n'
+                   f'region = {{ axis = "x", side = "{side}", depth = "0.15 mm" }}\n'
+                   for side, value in (("low", 298), ("high", 398)))
+    warm = (CANTILEVER.replace('density = "2790 kg/m^3"\n', WARM + 'law = "voronoi"\n[expansion]\n')
+            .replace('duration = "2 us"', 'duration = "10 s"')
+            .replace('["free", { time = ["0 us", "1 us"], value = ["0 N", "1 mN"] }, "free"]',
+                     '["0 N", "0 N", "0 N"]')) + ends
+    summary, _ = solve(solidem, warm)
+    tip = summary["sensors"]["tip"]["displacement"]
+    assert np.allclose(tip, [LENGTH * 23e-6 * 50, 0, 0], atol=1e-9 * LENGTH)
+    with h5py.File(solidem.folder / "out" / "trajectory.h5") as file:
+        temperature = np.sort(file["frames/000000/temperature"][:])
+    assert np.allclose(temperature, np.linspace(298, 398, 41), atol=1e-6)
+    done = solidem("solve", "scene.toml", "-o", "out", "--overwrite", "--rotations", "finite")
+    assert done.returncode == 2
+    assert "small rotations only" in done.stderr
 
 
 PIECES = ('[specimen]\nfile = "pieces.csv"\n[material]\ndensity = "2700 kg/m^3"\n' + THICK_BEAMS

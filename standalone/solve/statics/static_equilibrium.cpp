@@ -31,6 +31,30 @@ BeamNetwork beam_network(const BeamParameters& parameters, const Specimen& speci
   return network;
 }
 
+namespace {
+
+/// Loads of bonds at rest whose thermal strain is held back: pressure.
+void add_thermal_loads(const BondedBody& body, std::vector<BeamLoad<double>>& loads) {
+  const std::vector<double>& strain = body.network().thermal_strain;
+  for (std::size_t b = 0; b < strain.size(); ++b) {
+    const BondState& rest = body.rest()[b];
+    loads[b].force += -(rest.rigidity.axial * strain[b]) * rest.rest_direction;
+  }
+}
+
+/// Half of what the loads would do on the way to a thermal strain, J.
+double thermal_energy_part(const BondedBody& body, const std::vector<BeamLoad<double>>& loads) {
+  const std::vector<double>& strain = body.network().thermal_strain;
+  double energy = 0;
+  for (std::size_t b = 0; b < strain.size(); ++b) {
+    const BondState& rest = body.rest()[b];
+    energy += 0.5 * strain[b] * rest.rest_length * dot(loads[b].force, rest.rest_direction);
+  }
+  return energy;
+}
+
+}  // namespace
+
 Equilibrium small_equilibrium(const BeamNetwork& network,
                               const std::vector<Constraint>& constraints,
                               const std::vector<ElementLoad>& loads,
@@ -57,6 +81,7 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
   double last = 0, allowed = 0;
   for (int round = 0;; ++round) {
     bond_loads = body.load_rates(body.rest(), field, options.periodic_gradient);
+    add_thermal_loads(body, bond_loads);
     Eigen::VectorXd force = body.sum(bond_loads) + conditions.load;
     for (Eigen::Index k = 0; k < force.size(); ++k)
       if (!solver.is_free(static_cast<std::size_t>(k))) force[k] = 0;
@@ -83,7 +108,8 @@ Equilibrium small_equilibrium(const BeamNetwork& network,
                    std::to_string(result.iterations) + " iterations");
   set_motion(field, body.length(), result);
   set_loads(body, conditions, body.rest(), bond_loads, result);
-  result.energy = body.small_motion_energy(field, options.periodic_gradient, bond_loads);
+  result.energy = body.small_motion_energy(field, options.periodic_gradient, bond_loads) -
+                  thermal_energy_part(body, bond_loads);
   return result;
 }
 
@@ -125,6 +151,27 @@ GaugeMeasure measure_gauge(const BeamNetwork& network, const Equilibrium& equili
   const double stress =
       tension / (gauge.upper - gauge.lower) / specimen.domain.cross_section(gauge.axis);
   return {stress, strain(gauge.axis), {strain((gauge.axis + 1) % 3), strain((gauge.axis + 2) % 3)}};
+}
+
+std::vector<std::array<double, 6>> element_stress(const BeamNetwork& network,
+                                                  const Equilibrium& equilibrium,
+                                                  const std::vector<double>& volume) {
+  std::vector<std::array<double, 6>> stress(volume.size());
+  for (std::size_t b = 0; b < network.bonds.size(); ++b) {
+    const Pair pair = network.bonds[b];
+    const Vector f = equilibrium.bond_force[b], d = rest_chord(*network.specimen, pair);
+    const std::array<double, 6> moment{f.x * d.x,
+                                       f.y * d.y,
+                                       f.z * d.z,
+                                       0.5 * (f.x * d.y + f.y * d.x),
+                                       0.5 * (f.y * d.z + f.z * d.y),
+                                       0.5 * (f.z * d.x + f.x * d.z)};
+    for (const std::int32_t end : {pair.i, pair.j}) {
+      const auto e = static_cast<std::size_t>(end);
+      for (std::size_t k = 0; k < 6; ++k) stress[e][k] += 0.5 * moment[k] / volume[e];
+    }
+  }
+  return stress;
 }
 
 Matrix3 mean_stress(const BeamNetwork& network, const Equilibrium& equilibrium) {

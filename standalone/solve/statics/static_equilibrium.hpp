@@ -22,6 +22,9 @@ struct BeamNetwork {
   const Specimen* specimen;                    ///< must outlive the network
   std::vector<Pair> bonds;                     ///< in the order of the specimen
   std::vector<BeamRigidity<double>> rigidity;  ///< of each bond: stiffness × rest length
+  /// By how much each bond is longer free of load, over its rest length; empty: not at all. Counts
+  /// in small_equilibrium.
+  std::vector<double> thermal_strain{};
 };
 
 /// The largest bonded component of a specimen under beams.
@@ -88,6 +91,12 @@ struct GaugeMeasure {
 };
 GaugeMeasure measure_gauge(const BeamNetwork& network, const Equilibrium& equilibrium,
                            const Gauge& gauge);
+
+/// Stress of each element, Pa: half of Σ bond force ⊗ rest chord of its bonds, over the volume that
+/// it stands for (m³), the mean of both shear stresses. xx, yy, zz, xy, yz, zx.
+std::vector<std::array<double, 6>> element_stress(const BeamNetwork& network,
+                                                  const Equilibrium& equilibrium,
+                                                  const std::vector<double>& volume);
 
 /// Mean stress of the body, Pa: Σ bond force ⊗ rest chord / volume. Row: axis of the force.
 Matrix3 mean_stress(const BeamNetwork& network, const Equilibrium& equilibrium);
