@@ -20,10 +20,6 @@ std::vector<int> ways_of_heat(const Assembly& assembly) {
   return assembly.model.conductors().coordination();
 }
 
-}  // namespace
-
-namespace {
-
 HeatedFaces exposed_faces(const Assembly& assembly, const std::string& target,
                           const Region& region) {
   HeatedFaces faces = assembly.need<ExposedSurface>().part(select(region, assembly.specimen()));
