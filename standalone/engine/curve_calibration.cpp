@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "solve/calibration/hardening_search.hpp"
 
@@ -15,6 +17,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Of the strain of the gauge section: a bar that stretches elsewhere never has its last strain.
 constexpr double longest_elongation = 3;
+/// Its ends do not meet.
+constexpr double longest_compression = 0.9;
 
 /// A bar that is pulled without heat, so slowly that the rate does not count.
 BondParameters slow_and_cold(BondParameters bonds, const YieldLaw& law) {
@@ -25,7 +29,8 @@ BondParameters slow_and_cold(BondParameters bonds, const YieldLaw& law) {
 
 std::vector<double> stresses_of(const TensionCurve& shown, const CurveTarget& target) {
   std::vector<FlowPoint> curve;
-  for (const TensionPoint& p : shown.points) curve.push_back(true_point(p.strain, p.stress));
+  const auto measured = target.is_compressed ? compressed_point : true_point;
+  for (const TensionPoint& p : shown.points) curve.push_back(measured(p.strain, p.stress));
   std::vector<double> stresses;
   for (const FlowPoint& p : target.points) stresses.push_back(stress_at(curve, p.strain));
   return stresses;
@@ -75,9 +80,13 @@ std::vector<std::string> misses_of(const CurveTarget& target, const HardeningSea
 
 TensionTest curve_test(const TensionTest& test, const CurveTarget& target) {
   TensionTest longer = test;
-  const double last = std::expm1(target.points.back().strain);
+  const double strain = target.points.back().strain;
+  const double last = target.is_compressed ? -std::expm1(-strain) : std::expm1(strain);
+  if (target.is_compressed) longer.speed = -test.speed;
   longer.longest_strain = 1.01 * last;
   longer.longest_elongation = longest_elongation * last;
+  if (target.is_compressed)
+    longer.longest_elongation = std::min(longer.longest_elongation, longest_compression);
   return longer;
 }
 

@@ -103,13 +103,14 @@ TensionFigures figures_of(const std::vector<TensionPoint>& points, double young_
 TensionCurve pull(const BondParameters& bonds, const Specimen& specimen, const TensionTest& test) {
   Simulation simulation(setup_of(bonds, specimen, test), specimen);
   const double elongation_per_step =
-      test.speed * simulation.time_step().value / free_length(specimen.domain, test.bar);
+      std::abs(test.speed) * simulation.time_step().value / free_length(specimen.domain, test.bar);
+  const double sign = std::copysign(1.0, test.speed);
   TensionCurve curve;
   double peak = 0;
   while (true) {
     const HistoryRow row = simulation.observe();
     const TensionPoint point{elongation_per_step * static_cast<double>(simulation.step()),
-                             find(row, "gauge.strain"), find(row, "gauge.stress")};
+                             sign * find(row, "gauge.strain"), sign * find(row, "gauge.stress")};
     curve.points.push_back(point);
     peak = std::max(peak, point.stress);
     const bool is_broken = peak > 0 && simulation.step() > 0 && point.elongation > proof_strain &&

@@ -33,19 +33,19 @@ inline std::optional<double> rupture_strain(const BondParameters& bonds) {
                                                    : std::nullopt;
 }
 
-/// How a bar is pulled until it breaks.
+/// How a bar is pulled until it breaks, or compressed.
 struct TensionTest {
   TensileBar bar;
   std::vector<Material> materials;
   ElasticConstants elastic;  ///< of the bar, from the static test
-  double speed = 0;          ///< of one end against the other, m/s
+  double speed = 0;          ///< of one end away from the other, m/s; below 0: towards it
   double time_step_ratio = 0.5;
   double fine_elongation = 0;     ///< up to which the curve has a point every 1e-4, then every 1e-3
   double longest_elongation = 0;  ///< at which the test ends, if the bar has not broken before
   double longest_strain = HUGE_VAL;  ///< of the gauge section, at which it ends as well
 };
 
-/// One instant of a test.
+/// One instant of a test; of a bar that is compressed all count above 0.
 struct TensionPoint {
   double elongation;  ///< of the length between the ends that are held
   double strain;      ///< of the gauge section

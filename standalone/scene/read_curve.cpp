@@ -24,6 +24,7 @@ struct CurveWords {
   std::string file;
   double stress_unit = 1;
   bool is_true = true;
+  bool is_compressed = false;
   std::vector<double> strains;
   double tolerance = CurveTarget{}.tolerance;
 };
@@ -55,6 +56,11 @@ std::vector<Key> file_keys(CurveWords& words) {
       may_have("stress_unit", quantity(words.stress_unit, dimension::modulus, positive))};
 }
 
+/// True measures of engineering ones.
+FlowPoint measured(const CurveWords& words, double strain, double stress) {
+  return words.is_compressed ? compressed_point(strain, stress) : true_point(strain, stress);
+}
+
 /// Lines of strain and stress; the first may name the columns.
 std::vector<FlowPoint> read_table(const CurveWords& words) {
   const std::string text = read_file(words.file);
@@ -66,7 +72,9 @@ std::vector<FlowPoint> read_table(const CurveWords& words) {
     const FlowPoint given{lines.number(0), words.stress_unit * lines.number(1)};
     if (given.strain < 0 || given.strain > 1)
       lines.fail("expected a strain from 0 to 1, as a share");
-    points.push_back(words.is_true ? given : true_point(given.strain, given.stress));
+    if (words.is_compressed && !words.is_true && given.strain == 1)
+      lines.fail("expected a strain below 1: of a body compressed by 1 nothing is left");
+    points.push_back(words.is_true ? given : measured(words, given.strain, given.stress));
     if (points.size() > 1 && points.back().strain <= points[points.size() - 2].strain)
       lines.fail("expected a strain above the one before");
   }
@@ -85,7 +93,7 @@ std::vector<FlowPoint> points_of_table(const Section& section, const CurveWords&
     return points;
   }
   for (const double strain : words.strains) {
-    const double at = words.is_true ? strain : true_point(strain, 0).strain;
+    const double at = words.is_true ? strain : measured(words, strain, 0).strain;
     points.push_back({at, stress_at(table, at)});
     if (std::isnan(points.back().stress))
       section.refuse("strains", fmt::format("{:g} lies outside of the table", strain),
@@ -126,13 +134,15 @@ Rule curve_section(std::optional<CurveTarget>& target, const double& young_modul
     std::vector<Key> keys = is_table ? file_keys(words) : law_keys(words.law);
     keys.push_back(may_have("strains", strain_list(words.strains)));
     keys.push_back(may_have("tolerance", number(words.tolerance, positive)));
+    keys.push_back(may_have(
+        "load", choice<bool>(words.is_compressed, {{"tension", false}, {"compression", true}})));
     section.read(keys, is_table ? "a curve of points" : "a curve of Johnson and Cook");
     if (words.strains.empty() && !section.has("strains")) words.strains = {0.005, 0.01, 0.02, 0.05};
     const std::vector<FlowPoint> points = is_table
                                               ? points_of_table(section, words, young_modulus)
                                               : points_of(words.law, young_modulus, words.strains);
     check(section, points, young_modulus);
-    target = CurveTarget{points, words.tolerance};
+    target = CurveTarget{points, words.tolerance, words.is_compressed};
   });
 }
 

@@ -107,16 +107,25 @@ TEST(HardeningSearch, tells_a_point_that_no_body_reached) {
 }
 
 TEST(FlowCurve, of_true_measures_has_the_work_of_the_engineering_ones) {
-  double work = 0, engineering = 0;
   const auto stress = [](double e) { return 1e8 * std::sqrt(e); };
   const int steps = 20000;
-  for (int n = 0; n < steps; ++n) {
-    const double from = 0.3 * n / steps, to = 0.3 * (n + 1) / steps;
-    const FlowPoint p = true_point(from, stress(from)), q = true_point(to, stress(to));
-    work += 0.5 * (p.stress + q.stress) * (q.strain - p.strain);
-    engineering += 0.5 * (stress(from) + stress(to)) * (to - from);
+  for (const auto measured : {true_point, compressed_point}) {
+    double work = 0, engineering = 0;
+    for (int n = 0; n < steps; ++n) {
+      const double from = 0.3 * n / steps, to = 0.3 * (n + 1) / steps;
+      const FlowPoint p = measured(from, stress(from)), q = measured(to, stress(to));
+      work += 0.5 * (p.stress + q.stress) * (q.strain - p.strain);
+      engineering += 0.5 * (stress(from) + stress(to)) * (to - from);
+    }
+    EXPECT_NEAR(work, engineering, 1e-6 * engineering);
   }
-  EXPECT_NEAR(work, engineering, 1e-6 * engineering);
+}
+
+TEST(FlowCurve, of_compression_is_that_of_tension_seen_from_the_other_side) {
+  const FlowPoint tension = true_point(0.25, 1e8), compression = compressed_point(0.2, 1.25e8);
+  EXPECT_DOUBLE_EQ(tension.strain, compression.strain);  // 1.25 times as long, and back
+  EXPECT_DOUBLE_EQ(1.25e8 * 0.8, compression.stress);
+  EXPECT_DOUBLE_EQ(1e8 * 1.25, tension.stress);
 }
 
 TEST(FlowCurve, of_johnson_and_cook_is_elastic_and_then_flows_by_the_formula) {

@@ -12,6 +12,11 @@ FlowPoint true_point(double engineering_strain, double engineering_stress) {
   return {std::log1p(engineering_strain), engineering_stress * (1 + engineering_strain)};
 }
 
+FlowPoint compressed_point(double engineering_strain, double engineering_stress) {
+  const FlowPoint point = true_point(-engineering_strain, -engineering_stress);
+  return {-point.strain, -point.stress};
+}
+
 double stress_at(const std::vector<FlowPoint>& curve, double strain) {
   const auto above = std::find_if(curve.begin(), curve.end(),
                                   [&](const FlowPoint& p) { return p.strain >= strain; });
