@@ -93,7 +93,8 @@ GaugeMeasure measure_gauge(const BeamNetwork& network, const Equilibrium& equili
                            const Gauge& gauge);
 
 /// Stress of each element, Pa: half of Σ bond force ⊗ rest chord of its bonds, over the volume that
-/// it stands for (m³), the mean of both shear stresses. xx, yy, zz, xy, yz, zx.
+/// it stands for (m³), the mean of both shear stresses: xx xy xz yy yz zz, as frames of
+/// a run have it (engine/element_tensors.hpp), for small displacements.
 std::vector<std::array<double, 6>> element_stress(const BeamNetwork& network,
                                                   const Equilibrium& equilibrium,
                                                   const std::vector<double>& volume);
