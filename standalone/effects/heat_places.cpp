@@ -20,6 +20,16 @@ std::vector<int> ways_of_heat(const Assembly& assembly) {
   return assembly.model.conductors().coordination();
 }
 
+/// Those of the shape in its order, then those of cuts.
+std::string known_walls(const Assembly& assembly) {
+  std::vector<std::string> names;
+  for (const std::string& name : wall_names(assembly.specimen().domain))
+    if (assembly.geometry.walls.count(name) > 0) names.push_back(name);
+  for (const auto& [name, faces] : assembly.geometry.walls)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return join(names);
+}
+
 HeatedFaces exposed_faces(const Assembly& assembly, const std::string& target,
                           const Region& region) {
   HeatedFaces faces = assembly.need<ExposedSurface>().part(select(region, assembly.specimen()));
@@ -38,9 +48,7 @@ HeatedFaces faces_of(const Assembly& assembly, const std::string& section, const
   const std::string target = "[[" + section + "]] \"" + name + "\": wall = \"" + wall + "\"";
   if (wall == ExposedSurface::word) return exposed_faces(assembly, target, region);
   if (found == assembly.geometry.walls.end()) {
-    std::string known;
-    for (const auto& [other, faces] : assembly.geometry.walls)
-      known += (known.empty() ? "" : ", ") + other;
+    const std::string known = known_walls(assembly);
     if (known.empty() && assembly.specimen().outline != nullptr)
       throw InputError(target +
                        ": under a platonic law a body with cuts, or of a mesh, has no walls; "

@@ -248,8 +248,12 @@ Polyhedron ball_of_facets(const Vector& centre, double volume_of_ball) {
 }
 
 Polyhedron clipped(const Polyhedron& solid, const Vector& normal, double offset) {
+  // A face that lies in the plane but for round-off must not be cut to shreds.
+  double farthest = std::fabs(offset);
+  for (const std::vector<Vector>& face : solid.faces)
+    for (const Vector& corner : face) farthest = std::max(farthest, std::fabs(dot(normal, corner)));
   std::vector<int> source;
-  return clipped(solid, normal, offset, 0, source);
+  return clipped(solid, normal, offset, 1e-14 * farthest, source);
 }
 
 Polyhedron clipped(const Polyhedron& solid, const Vector& normal, double offset, double margin,

@@ -33,7 +33,8 @@ Polyhedron ball_of_facets(const Vector& centre, double volume);
 /// Directions that are spread evenly over the sphere.
 std::vector<Vector> even_directions(int count);
 
-/// What lies where normal · x ≤ offset; `normal` has unit length.
+/// What lies where normal · x ≤ offset; `normal` has unit length. Corners on the plane but for
+/// round-off lie on it.
 Polyhedron clipped(const Polyhedron& solid, const Vector& normal, double offset);
 
 /// The same, with corners within a margin, m, of the plane counted as on it. `source` is told of
