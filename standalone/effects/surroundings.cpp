@@ -12,7 +12,7 @@ namespace solidem {
 
 namespace {
 
-constexpr int directions = 400;
+constexpr int looked_along = 400;
 
 /// A blown-up element, seen from another.
 struct Blown {
@@ -33,7 +33,7 @@ constexpr double selectivity = 30;
 
 Surroundings::Surroundings(const Specimen& specimen)
     : specimen_(specimen),
-      spread_(spread_directions(directions)),
+      spread_(spread_directions(looked_along)),
       near_(find_neighbours(specimen.domain, specimen.position, specimen.radius, blow_up, 0, {},
                             kernels().pick_near)) {}
 
@@ -52,8 +52,8 @@ Openness Surroundings::openness(std::size_t element, const std::vector<char>& ap
     if (last < around.size() && around[last].holds(point)) continue;
     for (last = 0; last < around.size() && !around[last].holds(point);) ++last;
     if (last < around.size()) continue;
-    open.share += 1.0 / directions;
-    open.mean += (1.0 / directions) * direction;
+    open.share += 1.0 / looked_along;
+    open.mean += (1.0 / looked_along) * direction;
   }
   return open;
 }
