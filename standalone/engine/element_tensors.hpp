@@ -19,7 +19,7 @@ using ElementTensors = std::vector<Eigen::Matrix3d>;
 /// kinetic part, Pa, tension positive: half of what each pair of an element does, force times chord
 /// between the centres where they are now, over the volume at rest that the element represents (a
 /// Kirchhoff stress); symmetric part. The mean over a body that is loaded from outside only, by
-/// volume, is the body's own. Forces of tools, grips and loads on an element are not in it.
+/// volume, is the body's own. Forces of contacts, tools, grips and loads are not in it.
 ElementTensors element_stress(const Model& model,
                               const std::vector<const ActsBetweenElements*>& actors);
 
