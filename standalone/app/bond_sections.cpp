@@ -12,7 +12,7 @@ namespace solidem {
 
 namespace {
 
-std::string text_of(const Vector& v) {
+std::string array_of(const Vector& v) {
   return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x, v.y, v.z);
 }
 
@@ -21,7 +21,7 @@ std::string anisotropy_section(const BeamParameters& beams) {
   std::string text = fmt::format(
       "\n[beams.anisotropy]\ngrain = {}\nradial = {}\ntangential_modulus = \"{:.8g} Pa\"\n"
       "radial_modulus = \"{:.8g} Pa\"\nexponent = {:.8g}\n",
-      text_of(grain.axes.longitudinal), text_of(grain.axes.radial), grain.tangential_modulus,
+      array_of(grain.axes.longitudinal), array_of(grain.axes.radial), grain.tangential_modulus,
       grain.radial_modulus, grain.exponent);
   if (grain.transverse_shear_modulus)
     text +=
@@ -33,7 +33,7 @@ std::string fibres_section(const Fibres& fibres) {
   return fmt::format(
       "\n[beams.fibres]\ndirection = {}\nreach = {:.8g}\nalignment = {:.8g}\n"
       "stiffness_ratio = {:.8g}\n",
-      text_of(fibres.rule.direction), fibres.rule.reach, fibres.rule.alignment,
+      array_of(fibres.rule.direction), fibres.rule.reach, fibres.rule.alignment,
       fibres.stiffness_ratio);
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <mutex>
@@ -18,6 +17,7 @@
 #include "engine/calibration.hpp"
 #include "engine/tension_bench.hpp"
 #include "model/error.hpp"
+#include "model/seconds_since.hpp"
 #include "output/replace_file.hpp"
 #include "output/results_folder.hpp"
 #include "output/summary.hpp"
@@ -200,7 +200,6 @@ void print_result(const Calibration& found, const CalibrationTargets& targets,
 }  // namespace
 
 int calibrate_scene(const CalibrateCommand& command) {
-  using Clock = std::chrono::steady_clock;
   const Voice tell{command.quiet};
   if (command.threads > 0) omp_set_num_threads(command.threads);
   const auto start = Clock::now();
@@ -263,7 +262,7 @@ int calibrate_scene(const CalibrateCommand& command) {
     results.push_back(json_of(found[k], request.targets));
     for (const std::string& miss : found[k].misses) misses += "\n  " + miss;
   }
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = seconds_since(start);
   write_summary(directory + "/calibration.json", {{"solidem", version()},
                                                   {"scene", scene.path},
                                                   {"set", scene.set},

@@ -12,6 +12,7 @@
 #include "app/say.hpp"
 #include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
+#include "model/seconds_since.hpp"
 #include "output/replace_file.hpp"
 #include "output/summary.hpp"
 
@@ -81,7 +82,6 @@ Json json_of(const BeamParameters& beams) {
 int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>& specimens,
                                 const std::string& directory, const ResultsFolder& folder,
                                 const Voice& tell) {
-  using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const OrthotropicRequest& request = *scene.orthotropic_calibration;
   auto last = start;
@@ -111,7 +111,7 @@ int calibrate_orthotropic_scene(const Scene& scene, const std::vector<Specimen>&
     trials.push_back(
         {{"parameters", json_of(trial.beams)}, {"reached", reached}, {"misfit", trial.misfit}});
   }
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = seconds_since(start);
   write_summary(directory + "/calibration.json", {{"solidem", version()},
                                                   {"scene", scene.path},
                                                   {"set", scene.set},

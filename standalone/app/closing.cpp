@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/colours.hpp"
+#include "app/with_prefix.hpp"
 #include "output/progress.hpp"
 #include "output/svg_plot.hpp"
 
@@ -16,12 +17,7 @@ namespace solidem {
 namespace {
 
 constexpr std::size_t most_columns = 4;  // that a line names
-
-std::string with_prefix(double value, const char* unit) {
-  if (value == 0) return fmt::format("0 {}", unit);
-  const UnitPrefix prefix = unit_prefix(std::abs(value));
-  return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.symbol, unit);
-}
+constexpr int digits = 4;
 
 std::optional<double> value_of(const HistoryRow& row, const std::string& column) {
   for (const auto& [name, value] : row.values)
@@ -34,9 +30,10 @@ std::string gauge_line(const RunOutcome& outcome) {
                               strain = value_of(outcome.peak, "gauge.strain"),
                               last = value_of(outcome.last, "gauge.stress");
   if (!peak || !last) return "";
-  std::string line = "peak stress " + with_prefix(*peak, "Pa");
+  std::string line = "peak stress " + with_prefix(*peak, "Pa", digits);
   if (strain) line += fmt::format(" at a strain of {:.4g}", *strain);
-  return line + (*last == *peak ? ", at the end" : ", at the end " + with_prefix(*last, "Pa"));
+  return line +
+         (*last == *peak ? ", at the end" : ", at the end " + with_prefix(*last, "Pa", digits));
 }
 
 /// Without a gauge, what grips and sensors showed last.
@@ -57,7 +54,7 @@ std::string last_line(const HistoryRow& last) {
                                                                            : "m";
     line += (line.empty() ? "at the end " : ", ") + name + " " +
             (ends_with(name, "temperature") ? fmt::format("{:.5g} K", value)
-                                            : with_prefix(value, unit));
+                                            : with_prefix(value, unit, digits));
   }
   return line;
 }
@@ -80,13 +77,14 @@ std::string files_line(const Simulation& simulation, const std::string& director
 
 std::string closing_lines(const Simulation& simulation, const RunOutcome& outcome,
                           const std::string& directory, double seconds) {
-  std::string lines = with_look(Look::result,
-                                fmt::format("done: {} simulated, {} steps in {}",
-                                            with_prefix(simulation.time(), "s"), simulation.step(),
-                                            seconds < 10 ? fmt::format("{:.2g} s", seconds)
-                                                         : duration_text(seconds)),
-                                stdout) +
-                      "\n";
+  std::string lines =
+      with_look(
+          Look::result,
+          fmt::format("done: {} simulated, {} steps in {}",
+                      with_prefix(simulation.time(), "s", digits), simulation.step(),
+                      seconds < 10 ? fmt::format("{:.2g} s", seconds) : duration_text(seconds)),
+          stdout) +
+      "\n";
   const std::string gauge = gauge_line(outcome);
   for (const std::string& line : {gauge.empty() ? last_line(outcome.last) : gauge,
                                   broken_line(simulation), files_line(simulation, directory)})

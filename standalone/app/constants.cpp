@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -11,6 +10,7 @@
 #include "app/say.hpp"
 #include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
+#include "model/seconds_since.hpp"
 #include "scene/body.hpp"
 #include "solve/calibration/orthotropic_calibration.hpp"
 #include "specimen/bonds.hpp"
@@ -21,10 +21,6 @@ namespace solidem {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const Vector& v) {
-  return {v.x, v.y, v.z};
-}
 
 std::string text_of(const Vector& v) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);
@@ -42,10 +38,10 @@ void measure_constants(const SceneSource& source, bool json) {
       beams.anisotropy ? beams.anisotropy->axes : GrainAxes<double>{{1, 0, 0}, {0, 1, 0}};
   const auto fibres = std::count_if(specimen.bonds.begin(), specimen.bonds.end(),
                                     [&](Pair pair) { return is_fibre(specimen, pair); });
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const EffectiveStiffness measured = effective_stiffness(beam_network(beams, specimen), axes);
   const OrthotropicConstants constants = orthotropic_constants(measured.stiffness);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = seconds_since(start);
   const NineConstants nine = nine_constants(constants);
 
   if (json) {
@@ -64,7 +60,7 @@ void measure_constants(const SceneSource& source, bool json) {
                 {"compliance", inverse(measured.stiffness)},
                 {"coupling", constants.coupling},
                 {"asymmetry", measured.asymmetry},
-                {"wall_seconds", seconds.count()}});
+                {"wall_seconds", seconds}});
     return;
   }
   say("{}: {} elements, {} bonds of which {} are fibres\n", scene.title, specimen.size(),
@@ -76,7 +72,7 @@ void measure_constants(const SceneSource& source, bool json) {
     say("{:<6} {:.5g}{}\n", constant_names[c], c < 6 ? nine[c] / 1e9 : nine[c],
         c < 6 ? " GPa" : "");
   say("E_L/E_T {:.4g}, E_L/G_LT {:.4g}; from an orthotropic body {:.2g}  ({:.2g} s)\n",
-      nine[0] / nine[2], nine[0] / nine[4], constants.coupling, seconds.count());
+      nine[0] / nine[2], nine[0] / nine[4], constants.coupling, seconds);
 }
 
 }  // namespace solidem

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -23,6 +22,7 @@
 #include "engine/heat.hpp"
 #include "engine/run_forecast.hpp"
 #include "model/error.hpp"
+#include "model/seconds_since.hpp"
 #include "scene/body.hpp"
 #include "solve/heat/heat_integrator.hpp"
 
@@ -266,11 +266,10 @@ void print(const Json& report) {
 }  // namespace
 
 void explain_scene(const ExplainCommand& command) {
-  using Clock = std::chrono::steady_clock;
   const Scene scene = read_scene(command.scene);
   const auto start = Clock::now();
   Simulation simulation(scene.setup, make_body(scene), command.force);
-  const double preparation = std::chrono::duration<double>(Clock::now() - start).count();
+  const double preparation = seconds_since(start);
   Json report = report_of(scene, simulation);
   if (!command.quick) report["forecast"] = forecast_of(simulation, preparation);
   if (command.json)

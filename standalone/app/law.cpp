@@ -11,6 +11,7 @@
 #include "app/law_words.hpp"
 #include "app/print_json.hpp"
 #include "app/say.hpp"
+#include "app/with_prefix.hpp"
 #include "model/error.hpp"
 #include "output/disk.hpp"
 #include "output/replace_file.hpp"
@@ -151,11 +152,6 @@ std::string table_of(const std::vector<ShownLaw>& laws, double from, double to) 
                           p.distance / law.equilibrium, p.force, p.stiffness, p.potential,
                           name_of(p.part));
   return text;
-}
-
-std::string with_prefix(double value, const char* unit) {
-  const UnitPrefix prefix = unit_prefix(value);
-  return fmt::format("{:.5g} {}{}", value / prefix.factor, prefix.symbol, unit);
 }
 
 void print_figures(const ShownLaw& law) {

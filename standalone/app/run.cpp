@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -21,6 +20,7 @@
 #include "effects/kernels/kernels.hpp"
 #include "engine/heat.hpp"
 #include "model/error.hpp"
+#include "model/seconds_since.hpp"
 #include "output/results_folder.hpp"
 #include "scene/body.hpp"
 #include "scene/fingerprint.hpp"
@@ -36,11 +36,6 @@ std::atomic<bool> interrupted{false};
 void on_interrupt(int signal) {
   interrupted = true;
   std::signal(signal, SIG_DFL);
-}
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// A word as a shell takes it.

@@ -3,7 +3,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -22,6 +21,7 @@
 #include "keys/nearest_name.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/error.hpp"
+#include "model/seconds_since.hpp"
 #include "output/results_folder.hpp"
 #include "output/summary.hpp"
 #include "output/trajectory.hpp"
@@ -36,17 +36,8 @@ namespace solidem {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
 
 constexpr double largest_residual = 1e-3;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-Json json_of(const Vector& v) {
-  return {v.x, v.y, v.z};
-}
 
 /// A bonded scene at one time.
 struct StaticScene {

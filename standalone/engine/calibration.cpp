@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <Eigen/LU>
 
@@ -18,13 +17,13 @@
 #include "engine/curve_calibration.hpp"
 #include "engine/tension_bench.hpp"
 #include "model/error.hpp"
+#include "model/seconds_since.hpp"
 #include "specimen/bonds.hpp"
 
 namespace solidem {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -436,7 +435,7 @@ class Search {
   // --- both
 
   void note(CalibrationTrial trial, Clock::time_point start) {
-    trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    trial.seconds = seconds_since(start);
     note(std::move(trial));
   }
 

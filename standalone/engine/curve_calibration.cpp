@@ -4,16 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "model/seconds_since.hpp"
 #include "solve/calibration/hardening_search.hpp"
 
 namespace solidem {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Of the strain of the gauge section: a bar that stretches elsewhere never has its last strain.
 constexpr double longest_elongation = 3;
@@ -110,7 +108,7 @@ void find_curve(const CalibrationRequest& request, const TensionTest& test,
       trial.figures[k].stresses = stresses_of(curves[k], target);
     }
     shown.push_back(trial.figures);
-    trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    trial.seconds = seconds_since(start);
     note(std::move(trial));
     return mean_stresses(shown.back());
   };

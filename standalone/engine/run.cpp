@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +22,7 @@
 #include "engine/heat.hpp"
 #include "engine/interrupt_watch.hpp"
 #include "model/error.hpp"
+#include "model/seconds_since.hpp"
 #include "output/checkpoint.hpp"
 #include "output/disk.hpp"
 #include "output/history.hpp"
@@ -36,13 +36,11 @@ namespace solidem {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Adds the time of a scope to one of the phases of a run.
 class Stopwatch {
  public:
   explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  ~Stopwatch() { seconds_ += seconds_since(start_); }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
@@ -55,7 +53,7 @@ template <class Work>
 double seconds_of(const Work& work) {
   const auto start = Clock::now();
   work();
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return seconds_since(start);
 }
 
 /// Of few measurements: one may have been made while the machine did something else.
@@ -240,8 +238,7 @@ class Recorder {
     const Stopwatch stopwatch(seconds_["steps"]);
     const auto start = Clock::now();
     watch_.while_busy([&] { simulation_.advance(steps); });
-    seconds_per_step_ =
-        std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(steps);
+    seconds_per_step_ = seconds_since(start) / static_cast<double>(steps);
   }
 
   /// Ends the program within a long step, from what was kept before it.

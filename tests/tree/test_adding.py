@@ -186,8 +186,9 @@ def column(path: Path, name: str) -> np.ndarray:
 
 @pytest.fixture(scope="module")
 def built(tree: Path) -> Path:
-    """The copy, with its program."""
-    run(tree, "cmake", "--preset", "release", "-DSOLIDEM_TESTS=OFF",
+    """The copy, with its program, in a quarter of the time that one fast everywhere takes."""
+    run(tree, "cmake", "--preset", "release", "-DSOLIDEM_TESTS=OFF", "-DSOLIDEM_UNITY_BUILD=ON",
+        "-DSOLIDEM_PRECOMPILED_HEADERS=ON", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
         "-DSOLIDEM_WARNINGS_AS_ERRORS=ON", "-DSOLIDEM_INSTRUCTION_SETS=baseline")
     run(tree, "cmake", "--build", "--preset", "release", "--target", "solidem", seconds=7200)
     return tree
