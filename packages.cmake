@@ -37,7 +37,7 @@ package(libsolidem-dev "Continuous solids as compact packings of spheres: librar
 if(SOLIDEM_PYTHON)
   package(python3-solidem "Continuous solids as compact packings of spheres: Python module"
     DEPENDS ${SOLIDEM_PYTHON_NEEDED} python3-numpy
-    RECOMMENDS python3-h5py python3-pandas)
+    RECOMMENDS python3-h5py python3-matplotlib python3-pandas)
 endif()
 if(IS_DIRECTORY /usr/include/liggghts)
   package(liggghts-solidem "Continuous solids as compact packings of spheres: styles of LIGGGHTS"
@@ -54,7 +54,7 @@ if(IS_DIRECTORY /usr/include/liggghts)
     COMPONENT liggghts-solidem EXCLUDE_FROM_ALL PATTERN "*.cmake" EXCLUDE PATTERN "__pycache__" EXCLUDE)
   install(DIRECTORY contrib/liggghts/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/liggghts-solidem
     COMPONENT liggghts-solidem EXCLUDE_FROM_ALL
-    FILES_MATCHING PATTERN "*.md" PATTERN "doc/*.txt" PATTERN "examples/*/*")
+    FILES_MATCHING PATTERN "*.md" PATTERN "doc/*.txt")
   install(FILES contrib/prepared.py DESTINATION ${sources}/contrib
     COMPONENT liggghts-solidem EXCLUDE_FROM_ALL)
   install(DIRECTORY standalone/laws DESTINATION ${sources}/standalone

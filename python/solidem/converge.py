@@ -244,7 +244,7 @@ def main(words: Sequence[str] | None = None) -> int:
     add("--seeds", type=int, default=0, metavar="N", help="specimens of each (default: 3, of another "
         "key 1)")
     add("--order", type=float, metavar="P", help="taken, not sought")
-    add("--output", type=Path, default=Path("results/converge"), metavar="DIR",
+    add("-o", "--output", type=Path, default=Path("results/converge"), metavar="DIR",
         help="runs that are there are not run again (default: results/converge)")
     given = parser.parse_args(words)
     if bool(given.elements) == bool(given.key) or bool(given.key) != bool(given.values):

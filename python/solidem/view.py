@@ -244,7 +244,7 @@ def arguments() -> argparse.ArgumentParser:
     add("--frame", type=int, default=-1, metavar="N", help="from 0; negative from the end "
         "(default: the last)")
     add("--film", action="store_true", help="all frames, as a GIF")
-    add("--output", type=Path, metavar="FILE", help="default: RESULTS/FIELD.png or .gif")
+    add("-o", "--output", type=Path, metavar="FILE", help="default: RESULTS/FIELD.png or .gif")
     add("--range", type=float, nargs=2, metavar=("LOW", "HIGH"), default=(),
         help="of the colours, in the unit of the label")
     add("--colours", default="viridis", metavar="NAME", help="a map of colours of matplotlib")

@@ -20,8 +20,8 @@ import sys
 try:
     from solidem.{0} import main
 except ModuleNotFoundError as missing:
-    print(f"error: solidem {0} needs Python's {{missing.name}}, which {{sys.executable}} has not; the "
-          "package python3-solidem brings it, or pip install . in the sources", file=sys.stderr)
+    print(f"error: solidem {0} needs Python's {{missing.name}}, which {{sys.executable}} has not; "
+          f"Debian's package python3-{{missing.name}} brings it, as does pip", file=sys.stderr)
     sys.exit(1)
 sys.exit(main())
 )";
