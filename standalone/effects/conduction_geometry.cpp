@@ -7,6 +7,7 @@
 
 #include "effects/conduction_parameters.hpp"
 #include "laws/platonic_conduction.hpp"
+#include "model/error.hpp"
 #include "specimen/bonds.hpp"
 
 namespace solidem {
@@ -25,7 +26,17 @@ ConductionGeometry platonic_geometry(const Specimen& specimen) {
   return geometry;
 }
 
+void insist_on_bodies_apart(const Specimen& specimen) {
+  for (const Body& body : specimen.bodies)
+    for (const std::int32_t other : body.bonded_to)
+      throw InputError("[conduction] law = \"voronoi\": the cells of [[body]] \"" + body.name +
+                       "\" and of \"" + specimen.bodies[static_cast<std::size_t>(other)].name +
+                       "\", which it is bonded_to, share no faces that would conduct; expected a "
+                       "platonic law, or bodies that are not bonded");
+}
+
 ConductionGeometry voronoi_geometry(const Specimen& specimen) {
+  insist_on_bodies_apart(specimen);
   Tessellation cells = tessellate(specimen);
   ConductionGeometry geometry;
   geometry.volume = std::move(cells.volume);

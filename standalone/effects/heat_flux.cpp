@@ -10,7 +10,7 @@
 #include "effects/moving_shape.hpp"
 #include "keys/rules.hpp"
 #include "model/error.hpp"
-#include "specimen/walls.hpp"
+#include "specimen/made_bodies.hpp"
 
 namespace solidem {
 
@@ -115,7 +115,7 @@ void check_wall(const HeatFluxParameters& flux, const Assembly& assembly) {
     throw InputError(target +
                      "a part of a wall cannot be told on a body whose outline is not known (" +
                      assembly.specimen().domain.shape + "); expected the whole wall");
-  const std::vector<Wall> walls = walls_of_shape(assembly.specimen().domain);
+  const std::vector<Wall> walls = walls_of_shapes(assembly.specimen());
   const bool is_flat = std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
     return wall.name == flux.wall && !(wall.radius > 0);
   });

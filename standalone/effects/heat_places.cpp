@@ -51,8 +51,9 @@ HeatedFaces faces_of(const Assembly& assembly, const std::string& section, const
     const std::string known = known_walls(assembly);
     if (known.empty() && assembly.specimen().outline != nullptr)
       throw InputError(target +
-                       ": under a platonic law a body with cuts, or of a mesh, has no walls; "
-                       "expected [conduction] law = \"voronoi\", a region, or wall = \"exposed\"");
+                       ": under a platonic law a body with cuts, or of a mesh, has no walls, nor "
+                       "have several bodies; expected [conduction] law = \"voronoi\", a region, or "
+                       "wall = \"exposed\"");
     throw InputError(
         target + ": the body has no such wall; expected one of " +
         (known.empty()

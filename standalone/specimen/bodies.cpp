@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "model/error.hpp"
+#include "model/outline.hpp"
 #include "neighbours/linked_cells.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/report.hpp"
@@ -56,7 +57,7 @@ Specimen make_one(const BodyRecipe& recipe, const ReportProgress& progress) {
   }
 }
 
-void append(Specimen& all, const Specimen& one, const BodyRecipe& recipe) {
+void append(Specimen& all, Outline& outline, const Specimen& one, const BodyRecipe& recipe) {
   if (one.domain.is_periodic())
     throw InputError(
         "[[body]] \"" + recipe.name +
@@ -85,6 +86,7 @@ void append(Specimen& all, const Specimen& one, const BodyRecipe& recipe) {
   all.contact_margin = std::max(all.contact_margin, one.contact_margin);
   if (one.report.count(estimated_volume) != 0) all.report[estimated_volume] += one.domain.volume;
   all.bodies.push_back(std::move(body));
+  outline.bodies.push_back({one.domain, one.outline, place.turned, place.of({})});
 }
 
 void put_around(const std::vector<Body>& bodies, Domain& domain) {
@@ -179,14 +181,16 @@ void check_overlap(const Specimen& specimen) {
 
 Specimen make_bodies(const std::vector<BodyRecipe>& recipes, const ReportProgress& progress) {
   Specimen all;
+  Outline outline;
   bool all_alike = true;
   double tolerance = 0;
   for (std::size_t b = 0; b < recipes.size(); ++b) {
     const Specimen one = make_one(recipes[b], progress);
     if (b == 0) tolerance = one.bond_tolerance;
     all_alike = all_alike && one.bond_tolerance == tolerance;
-    append(all, one, recipes[b]);
+    append(all, outline, one, recipes[b]);
   }
+  all.outline = std::make_shared<const Outline>(std::move(outline));
   put_around(all.bodies, all.domain);
   link(all, recipes);
   check_overlap(all);

@@ -6,6 +6,7 @@
 
 #include "laws/constants.hpp"
 #include "model/error.hpp"
+#include "model/outline.hpp"
 #include "neighbours/linked_cells.hpp"
 #include "specimen/long_bonds.hpp"
 #include "specimen/specimen_file.hpp"
@@ -106,6 +107,11 @@ void check_bodies(const Specimen& specimen, const std::string& origin) {
     if (holders[i] != 1)
       throw InputError(
           fmt::format("{}: element {} is in {} bodies: expected one", origin, i, holders[i]));
+  if (specimen.outline == nullptr) return;
+  if (specimen.outline->bodies.size() != specimen.bodies.size())
+    throw InputError(fmt::format("{}: {} bodies, but outlines of {}: expected one of each", origin,
+                                 number, specimen.outline->bodies.size()));
+  for (const PlacedOutline& body : specimen.outline->bodies) check_domain(body.domain, origin);
 }
 
 }  // namespace

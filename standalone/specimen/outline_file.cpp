@@ -11,6 +11,7 @@
 
 #include "model/error.hpp"
 #include "output/hdf5.hpp"
+#include "specimen/domain_file.hpp"
 
 namespace solidem {
 
@@ -21,13 +22,17 @@ const std::array<std::pair<const char*, Shape::Kind>, 3> cut_kinds{
      {"cylinder", Shape::Kind::cylinder},
      {"box", Shape::Kind::box}}};
 
-std::vector<double> row_of(const Vector& v) {
-  return {v.x, v.y, v.z};
+std::vector<double> row_of(const Quaternion<double>& q) {
+  return {q.w, q.v.x, q.v.y, q.v.z};
 }
 
-Vector read_vector(const Hdf5Group& group, const std::string& name) {
-  const std::vector<double> v = group.numbers_attribute(name, 3);
-  return {v[0], v[1], v[2]};
+Quaternion<double> read_turn(const Hdf5Group& group) {
+  const std::vector<double> q = group.numbers_attribute("turned", 4);
+  return {q[0], {q[1], q[2], q[3]}};
+}
+
+bool is_rotation(const Quaternion<double>& turned) {
+  return std::abs(turned.w * turned.w + dot(turned.v, turned.v) - 1) < 1e-9;
 }
 
 void write_facets(const Hdf5Group& group, const TriangleMesh& mesh) {
@@ -64,15 +69,13 @@ void write_cut(const Hdf5Group& group, const Cut& cut) {
   group.set_attribute("length", cut.part.length);
   group.set_attribute("size", row_of(cut.part.size));
   group.set_attribute("centre", row_of(cut.part.offset));
-  const Quaternion<double>& q = cut.turned;
-  group.set_attribute("turned", std::vector<double>{q.w, q.v.x, q.v.y, q.v.z});
+  group.set_attribute("turned", row_of(cut.turned));
 }
 
 bool bounds_a_solid(const Cut& cut) {
   const auto is_length = [](double length) { return length > 0 && std::isfinite(length); };
   const Shape::Part& part = cut.part;
-  const double turned = cut.turned.w * cut.turned.w + dot(cut.turned.v, cut.turned.v);
-  if (!(std::abs(turned - 1) < 1e-9) || !std::isfinite(norm(part.offset))) return false;
+  if (!is_rotation(cut.turned) || !std::isfinite(norm(part.offset))) return false;
   if (part.kind == Shape::Kind::box)
     return is_length(part.size.x) && is_length(part.size.y) && is_length(part.size.z);
   return is_length(part.radius) && part.length > 0;
@@ -97,8 +100,7 @@ Cut read_cut(const Hdf5Group& group) {
   cut.part.length = group.number_attribute("length");
   cut.part.size = read_vector(group, "size");
   cut.part.offset = read_vector(group, "centre");
-  const std::vector<double> q = group.numbers_attribute("turned", 4);
-  cut.turned = {q[0], {q[1], q[2], q[3]}};
+  cut.turned = read_turn(group);
   if (!is_known || cut.part.axis < 0 || cut.part.axis > 2 || !bounds_a_solid(cut))
     throw InputError(fmt::format(
         "{}: a cut of kind \"{}\" that is no solid; expected a sphere, cylinder or box with "
@@ -107,17 +109,37 @@ Cut read_cut(const Hdf5Group& group) {
   return cut;
 }
 
+void write_body(const Hdf5Group& group, const PlacedOutline& body) {
+  group.set_attribute("turned", row_of(body.turned));
+  group.set_attribute("shift", row_of(body.shift));
+  write_domain(group.make_group("domain"), body.domain);
+  if (body.outline != nullptr) write_outline(group, *body.outline);
+}
+
+PlacedOutline read_body(const Hdf5Group& group) {
+  PlacedOutline body;
+  body.turned = read_turn(group);
+  body.shift = read_vector(group, "shift");
+  body.domain = read_domain(group.group("domain"));
+  body.outline = read_outline(group, body.domain);
+  if (!is_rotation(body.turned) || !std::isfinite(norm(body.shift)))
+    throw InputError(group.where() + ": a place that is none; expected a rotation and a shift");
+  return body;
+}
+
 }  // namespace
 
-void write_outline(const Hdf5File& file, const Outline& outline) {
+void write_outline(const Hdf5Group& file, const Outline& outline) {
   const Hdf5Group group = file.make_group("outline");
   if (outline.surface != nullptr)
     write_facets(group.make_group("surface"), outline.surface->mesh());
   for (std::size_t k = 0; k < outline.cuts.size(); ++k)
     write_cut(group.make_group(fmt::format("cuts/{:06}", k)), outline.cuts[k]);
+  for (std::size_t b = 0; b < outline.bodies.size(); ++b)
+    write_body(group.make_group(fmt::format("bodies/{:06}", b)), outline.bodies[b]);
 }
 
-std::shared_ptr<const Outline> read_outline(const Hdf5File& file, const Domain& body) {
+std::shared_ptr<const Outline> read_outline(const Hdf5Group& file, const Domain& body) {
   if (!file.has("outline")) return nullptr;
   const Hdf5Group group = file.group("outline");
   Outline outline;
@@ -125,6 +147,11 @@ std::shared_ptr<const Outline> read_outline(const Hdf5File& file, const Domain& 
   if (group.has("cuts")) {
     const Hdf5Group cuts = group.group("cuts");
     for (const std::string& name : cuts.names()) outline.cuts.push_back(read_cut(cuts.group(name)));
+  }
+  if (group.has("bodies")) {
+    const Hdf5Group bodies = group.group("bodies");
+    for (const std::string& name : bodies.names())
+      outline.bodies.push_back(read_body(bodies.group(name)));
   }
   const bool is_mesh = outline.surface != nullptr;
   if (is_mesh != (body.shape == "mesh") ||

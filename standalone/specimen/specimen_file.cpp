@@ -13,6 +13,7 @@
 #include "output/replace_file.hpp"
 #include "specimen/body_lines.hpp"
 #include "specimen/cut_cells.hpp"
+#include "specimen/domain_file.hpp"
 #include "specimen/outline_file.hpp"
 #include "specimen/report.hpp"
 #include "specimen/shape.hpp"
@@ -29,15 +30,6 @@ constexpr int format_version = 1;
 static_assert(sizeof(Vector) == 3 * sizeof(double), "positions are rows of three numbers");
 static_assert(sizeof(Pair) == 2 * sizeof(std::int32_t), "pairs are rows of two numbers");
 
-std::vector<double> numbers(const Vector& v) {
-  return {v.x, v.y, v.z};
-}
-
-Vector vector_attribute(const Hdf5Group& group, const std::string& name) {
-  const std::vector<double> v = group.numbers_attribute(name, 3);
-  return {v[0], v[1], v[2]};
-}
-
 // In their order: groups come back by name.
 void write_bodies(const Hdf5File& file, const Specimen& specimen) {
   if (specimen.bodies.empty()) return;
@@ -47,8 +39,8 @@ void write_bodies(const Hdf5File& file, const Specimen& specimen) {
     const Hdf5Group group = bodies.make_group(fmt::format("{:06}", b));
     group.set_attribute("name", body.name);
     group.set_attribute("shape", body.shape);
-    group.set_attribute("lower", numbers(body.lower));
-    group.set_attribute("upper", numbers(body.upper));
+    group.set_attribute("lower", row_of(body.lower));
+    group.set_attribute("upper", row_of(body.upper));
     group.set_attribute("volume", body.volume);
     group.write("elements", body.elements);
     if (!body.bonded_to.empty()) group.write("bonded_to", body.bonded_to);
@@ -64,8 +56,8 @@ std::vector<Body> read_bodies(const Hdf5File& file) {
     Body body;
     body.name = group.text_attribute("name");
     body.shape = group.text_attribute("shape");
-    body.lower = vector_attribute(group, "lower");
-    body.upper = vector_attribute(group, "upper");
+    body.lower = read_vector(group, "lower");
+    body.upper = read_vector(group, "upper");
     body.volume = group.number_attribute("volume");
     body.elements = group.read<std::int32_t>("elements");
     if (group.has("bonded_to")) body.bonded_to = group.read<std::int32_t>("bonded_to");
@@ -89,19 +81,7 @@ void write_hdf5(const Hdf5File& file, const Specimen& specimen) {
     bonds.object("pairs").set_attribute("tolerance", specimen.bond_tolerance);
   }
 
-  const Domain& body = specimen.domain;
-  const Hdf5Group domain = file.make_group("domain");
-  domain.set_attribute("shape", body.shape);
-  domain.set_attribute("lower", numbers(body.lower));
-  domain.set_attribute("upper", numbers(body.upper));
-  domain.set_attribute(
-      "periodic", std::vector<std::uint8_t>{body.periodic[0], body.periodic[1], body.periodic[2]});
-  domain.set_attribute("volume", body.volume);
-  domain.set_attribute("axis", body.axis);
-  domain.set_attribute("radius", body.radius);
-  domain.set_attribute("inner_radius", body.inner_radius);
-  domain.set_attribute("angle", body.angle);
-  if (body.cuts > 0) domain.set_attribute("cuts", body.cuts);
+  write_domain(file.make_group("domain"), specimen.domain);
 
   const Hdf5Group report = file.make_group("report");
   const auto& figures = specimen.report;
@@ -135,23 +115,6 @@ void check_format(const Hdf5File& file, const std::string& path) {
   if (version != format_version)
     throw InputError(fmt::format("{}: specimen format version {}, this program reads version {}",
                                  path, version, format_version));
-}
-
-Domain read_domain(const Hdf5Group& domain) {
-  Domain body;
-  body.shape = domain.text_attribute("shape");
-  body.lower = vector_attribute(domain, "lower");
-  body.upper = vector_attribute(domain, "upper");
-  const std::vector<double> periodic = domain.numbers_attribute("periodic", 3);
-  for (int axis = 0; axis < 3; ++axis) body.periodic[axis] = periodic[axis] != 0;
-  body.volume = domain.number_attribute("volume");
-  body.axis = static_cast<int>(domain.integer_attribute("axis"));
-  body.radius = domain.number_attribute("radius");
-  if (domain.has_attribute("inner_radius"))
-    body.inner_radius = domain.number_attribute("inner_radius");
-  if (domain.has_attribute("cuts")) body.cuts = static_cast<int>(domain.integer_attribute("cuts"));
-  if (domain.has_attribute("angle")) body.angle = domain.number_attribute("angle");
-  return body;
 }
 
 Specimen read_hdf5(const std::string& path) {

@@ -12,6 +12,7 @@
 #include "model/blocks.hpp"
 #include "model/error.hpp"
 #include "specimen/cell_maker.hpp"
+#include "specimen/made_bodies.hpp"
 #include "specimen/shape.hpp"
 
 namespace solidem {
@@ -64,7 +65,8 @@ void check_body(const Specimen& specimen, const ScaledBody& body) {
         "no cells; give [specimen] shape and its measures");
   if (domain.shape == "bodies")
     throw InputError(
-        "cells: there are none of several bodies; expected one body, or a platonic law");
+        "cells: there are none of several bodies in one file, of which it does not tell how they "
+        "were made; expected the scene that makes them, or a platonic law");
   if (!domain.has_walls() && !body.outline)
     throw InputError(fmt::format(
         "cells: there are none of a {} whose file does not tell {}; expected the scene that makes "
@@ -76,6 +78,13 @@ void check_body(const Specimen& specimen, const ScaledBody& body) {
         "expected a volume and a shape that agree",
         domain.volume, domain.shape, volume_of(domain)));
   for (std::size_t i = 0; i < body.position.size(); ++i) check_inside(specimen, body, i);
+}
+
+void check_bodies(const Specimen& specimen) {
+  if (!bodies_are_known(specimen))
+    throw InputError(
+        "cells: the specimen's file does not say how its bodies were made and placed; expected the "
+        "scene that makes them, a file of this version, or a platonic law");
 }
 
 // Both sides of a face differ by round-off: their mean counts.
@@ -148,9 +157,11 @@ void scale_walls(const ScaledBody& body, Tessellation& result) {
   }
 }
 
-Polyhedron in_metres(Polyhedron solid, double unit, const Vector& origin) {
+// A solid of an element of a body, in metres and at its place.
+Polyhedron at_place(Polyhedron solid, double unit, const Specimen& whole, const MadeBody& made,
+                    std::int32_t element) {
   for (std::vector<Vector>& face : solid.faces)
-    for (Vector& p : face) p = origin + unit * p;
+    for (Vector& p : face) p = made.at(whole, element, unit * p);
   return solid;
 }
 
@@ -173,28 +184,32 @@ void for_each_cell(const ScaledBody& body, std::size_t elements, const Work& wor
       });
 }
 
-// Gathers what take(maker, element, into) makes of each cell.
+// Gathers what take(made, body, maker, element, into) makes of each cell, in the order of elements.
 template <class Take>
-std::vector<CellSolid> gather_solids(const Specimen& specimen, const ScaledBody& body,
-                                     const Take& take) {
-  const std::size_t n = specimen.size();
-  std::vector<std::vector<CellSolid>> chunks((n + chunk_size - 1) / chunk_size);
-  for_each_cell(body, n, [&](CellMaker& maker, std::size_t i, std::size_t chunk) {
-    CellChunk unused;
-    const auto element = static_cast<std::int32_t>(i);
-    if (!(maker.make(element, unused) > 0)) return;
-    take(maker, element, chunks[chunk]);
-  });
+std::vector<CellSolid> gather_solids(const Specimen& specimen, const Take& take) {
+  check_bodies(specimen);
   std::vector<CellSolid> all;
-  for (std::vector<CellSolid>& chunk : chunks)
-    all.insert(all.end(), std::make_move_iterator(chunk.begin()),
-               std::make_move_iterator(chunk.end()));
+  for_each_made_body(specimen, [&](const MadeBody& made) {
+    const ScaledBody body(made.specimen);
+    check_body(made.specimen, body);
+    const std::size_t n = made.specimen.size();
+    std::vector<std::vector<CellSolid>> chunks((n + chunk_size - 1) / chunk_size);
+    for_each_cell(body, n, [&](CellMaker& maker, std::size_t i, std::size_t chunk) {
+      CellChunk unused;
+      const auto element = static_cast<std::int32_t>(i);
+      if (!(maker.make(element, unused) > 0)) return;
+      take(made, body, maker, element, chunks[chunk]);
+    });
+    for (std::vector<CellSolid>& chunk : chunks)
+      all.insert(all.end(), std::make_move_iterator(chunk.begin()),
+                 std::make_move_iterator(chunk.end()));
+  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const CellSolid& a, const CellSolid& b) { return a.element < b.element; });
   return all;
 }
 
-}  // namespace
-
-bool has_cells(const Specimen& specimen) {
+bool one_has_cells(const Specimen& specimen) {
   if (!has_outline(specimen)) return false;
   const std::vector<Wall> walls = walls_of_shape(specimen.domain);
   return std::all_of(specimen.position.begin(), specimen.position.end(), [&](const Vector& p) {
@@ -204,43 +219,8 @@ bool has_cells(const Specimen& specimen) {
   });
 }
 
-std::vector<CellSolid> cell_solids(const Specimen& specimen, const Vector& lower,
-                                   const Vector& upper) {
-  const ScaledBody body(specimen);
-  check_body(specimen, body);
-  return gather_solids(
-      specimen, body, [&](CellMaker& maker, std::int32_t element, std::vector<CellSolid>& into) {
-        std::vector<CellSolid> solids;
-        bool is_met = false;
-        for (const CellPart& part : maker.parts()) {
-          solids.push_back({element, in_metres(part.solid, body.unit, specimen.position[element]),
-                            part.sign < 0});
-          is_met = is_met || boxes_meet(solids.back().solid, lower, upper);
-        }
-        if (is_met)
-          into.insert(into.end(), std::make_move_iterator(solids.begin()),
-                      std::make_move_iterator(solids.end()));
-      });
-}
-
-std::vector<CellSolid> wall_slabs(const Specimen& specimen, const std::string& wall,
-                                  double thickness) {
-  const ScaledBody body(specimen);
-  check_body(specimen, body);
-  const std::size_t asked = body.wall_called(wall);
-  return gather_solids(
-      specimen, body, [&](CellMaker& maker, std::int32_t element, std::vector<CellSolid>& into) {
-        for (const CellPart& part : maker.parts())
-          for (std::size_t k = 0; k < part.faces.size(); ++k) {
-            if (maker.wall_of(part.faces[k]) != asked) continue;
-            const Polyhedron face =
-                in_metres({{part.solid.faces[k]}}, body.unit, specimen.position[element]);
-            into.push_back({element, slab_of(face.faces[0], thickness), part.faces[k].weight < 0});
-          }
-      });
-}
-
-Tessellation tessellate(const Specimen& specimen) {
+// The cells of a single body.
+Tessellation cells_of_one(const Specimen& specimen) {
   const ScaledBody body(specimen);
   check_body(specimen, body);
   const std::size_t n = specimen.size();
@@ -263,6 +243,93 @@ Tessellation tessellate(const Specimen& specimen) {
   scale_volumes(specimen, result.volume, body.unit);
   scale_walls(body, result);
   return result;
+}
+
+// Adds the cells of one of several bodies to those of all, whose faces are not in order.
+void add_cells(const MadeBody& made, const Tessellation& own, Tessellation& all) {
+  for (std::size_t i = 0; i < own.volume.size(); ++i)
+    all.volume[static_cast<std::size_t>(made.element(static_cast<std::int32_t>(i)))] =
+        own.volume[i];
+  for (std::size_t f = 0; f < own.faces.size(); ++f) {
+    all.faces.push_back({made.element(own.faces[f].i), made.element(own.faces[f].j)});
+    all.area.push_back(own.area[f]);
+    all.distance.push_back(own.distance[f]);
+  }
+  for (const auto& [name, faces] : own.walls) {
+    std::vector<WallFace>& wall = all.walls[made.wall(name)];
+    for (const WallFace& face : faces)
+      wall.push_back({made.element(face.element), face.area, face.distance});
+  }
+}
+
+void sort_faces(Tessellation& cells) {
+  std::vector<std::size_t> order(cells.faces.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return cells.faces[a] < cells.faces[b]; });
+  Tessellation sorted;
+  for (const std::size_t f : order) {
+    sorted.faces.push_back(cells.faces[f]);
+    sorted.area.push_back(cells.area[f]);
+    sorted.distance.push_back(cells.distance[f]);
+  }
+  cells.faces = std::move(sorted.faces);
+  cells.area = std::move(sorted.area);
+  cells.distance = std::move(sorted.distance);
+}
+
+}  // namespace
+
+bool has_cells(const Specimen& specimen) {
+  bool all = bodies_are_known(specimen);
+  if (!all) return false;
+  for_each_made_body(specimen,
+                     [&](const MadeBody& made) { all = all && one_has_cells(made.specimen); });
+  return all;
+}
+
+std::vector<CellSolid> cell_solids(const Specimen& specimen, const Vector& lower,
+                                   const Vector& upper) {
+  return gather_solids(specimen, [&](const MadeBody& made, const ScaledBody& body, CellMaker& maker,
+                                     std::int32_t element, std::vector<CellSolid>& into) {
+    std::vector<CellSolid> solids;
+    bool is_met = false;
+    for (const CellPart& part : maker.parts()) {
+      solids.push_back({made.element(element),
+                        at_place(part.solid, body.unit, specimen, made, element), part.sign < 0});
+      is_met = is_met || boxes_meet(solids.back().solid, lower, upper);
+    }
+    if (is_met)
+      into.insert(into.end(), std::make_move_iterator(solids.begin()),
+                  std::make_move_iterator(solids.end()));
+  });
+}
+
+std::vector<CellSolid> wall_slabs(const Specimen& specimen, const std::string& wall,
+                                  double thickness) {
+  return gather_solids(specimen, [&](const MadeBody& made, const ScaledBody& body, CellMaker& maker,
+                                     std::int32_t element, std::vector<CellSolid>& into) {
+    for (const CellPart& part : maker.parts())
+      for (std::size_t k = 0; k < part.faces.size(); ++k) {
+        const std::size_t number = maker.wall_of(part.faces[k]);
+        if (number == body.walls.size() || made.wall(body.walls[number].name) != wall) continue;
+        const Polyhedron face =
+            at_place({{part.solid.faces[k]}}, body.unit, specimen, made, element);
+        into.push_back(
+            {made.element(element), slab_of(face.faces[0], thickness), part.faces[k].weight < 0});
+      }
+  });
+}
+
+Tessellation tessellate(const Specimen& specimen) {
+  if (specimen.bodies.empty()) return cells_of_one(specimen);
+  check_bodies(specimen);
+  Tessellation all;
+  all.volume.resize(specimen.size());
+  for_each_made_body(
+      specimen, [&](const MadeBody& made) { add_cells(made, cells_of_one(made.specimen), all); });
+  sort_faces(all);
+  return all;
 }
 
 std::map<std::string, std::vector<WallFace>> touching_elements(const Specimen& specimen) {

@@ -31,8 +31,8 @@ struct Tessellation {
   std::vector<double> distance;  ///< of the centres through that face, m
   std::vector<double> volume;    ///< of each element's cell, m³; the sum is the body's volume
 
-  /// By the name of the wall, in the order of elements; the areas of a whole wall sum to its exact
-  /// area. Those of the shape; `surface` of a mesh; `cut_1`, `cut_2`, … of cuts.
+  /// By name, in the order of elements; areas of a whole wall sum to its exact area. Those of the
+  /// shape; `surface` of a mesh; `cut_1`, … of cuts. Of several bodies each has its `body.x_low`.
   std::map<std::string, std::vector<WallFace>> walls;
 };
 
@@ -40,10 +40,10 @@ struct Tessellation {
 /// so that linear fields conduct exactly. Curved walls and cuts are flat facets that all cells
 /// share, under .002 R_m off and placed so that volume and section of what they bound are exact. A
 /// cell is cut by the faces of cuts and meshes that reach it, which takes no account of whether its
-/// parts hang together. The same on any number of threads.
-/// Throws InputError when the outline of the body is not known, when a centre lies outside the
-/// body, when larger spheres around an element leave no cell for it, or when the domain's volume is
-/// not that of its shape; RunError when the cells do not fill the body.
+/// parts hang together. Each of several bodies has the cells that it has alone. The same on any
+/// number of threads. Throws InputError when the outline of the body is not known, when a centre
+/// lies outside, when larger spheres around an element leave no cell for it, or when the domain's
+/// volume is not that of its shape; RunError when the cells do not fill the body.
 Tessellation tessellate(const Specimen& specimen);
 
 /// A convex solid of an element's cell: all of it, or a part of it that lies outside of the body
