@@ -195,7 +195,7 @@ void write_trajectories(const std::string& directory, const StaticScene& body,
                             {"displacement", 3, &equilibrium.displacement.data()->x},
                             {"rotation", 3, &equilibrium.rotation.data()->x},
                             {"reaction", 3, &equilibrium.reaction.data()->x},
-                            {"stress", 6, stress.data()->data()}};
+                            {"stress", 6, &stress.data()->xx}};
   if (!body.temperature.empty()) fields.push_back({"temperature", 1, body.temperature.data()});
   trajectory.write_frame(0, body.time, fields);
   if (modes.empty()) return;

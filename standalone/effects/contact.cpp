@@ -185,6 +185,22 @@ BeamLoad<double> ElementContacts::load(std::size_t k) const {
   return {load.force, load.arm_i * load.moment, load.arm_j * load.moment};
 }
 
+void ElementContacts::for_each_pair(const Model& model, const PairVisit& visit) const {
+  const auto displacement = [&](std::int32_t element) {
+    const auto e = static_cast<std::size_t>(element);
+    const double* now = model.positions()[e];
+    return Vector{now[0], now[1], now[2]} - model.specimen().position[e];
+  };
+  for (std::size_t k = 0; k < list_.candidates().size(); ++k) {
+    if (acts_[k] == 0) continue;
+    const ContactCandidate contact = list_.candidates()[k];
+    const auto [i, j] = contact.pair;
+    const BeamLoad<double> on_i = load(k);
+    const Vector chord_at_rest = list_.chord(contact) - (displacement(j) - displacement(i));
+    visit({i, j, chord_at_rest, on_i.force, on_i.moment_i});
+  }
+}
+
 double ElementContacts::stored(std::size_t k) const {
   const ContactCandidate candidate = list_.candidates()[k];
   const double depth = overlap(k);

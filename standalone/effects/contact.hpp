@@ -13,6 +13,7 @@
 #include "effects/contact_list.hpp"
 #include "effects/grips.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "effects/pair_loads.hpp"
 #include "effects/rupture.hpp"
 #include "laws/linear_contact.hpp"
 #include "model/buffer.hpp"
@@ -29,7 +30,7 @@ namespace solidem {
 /// Two elements touch where their spheres meet; if their bond broke, where laws/contact.hpp says;
 /// and if they stood nearer when both could be reached for the first time, where they stood:
 /// nothing is thrown apart by being looked at. Above a pressure they are bonded anew, free of load.
-class ElementContacts : public Effect {
+class ElementContacts : public Effect, public ActsBetweenElements {
  public:
   /// `rebonding_strain`: of a contact that becomes a bond; 0: none does. Beams and rupture: null
   /// where elements have no bonds, or none breaks.
@@ -51,6 +52,8 @@ class ElementContacts : public Effect {
     for (std::size_t k = 0; k < list_.candidates().size(); ++k)
       if (acts_[k] != 0) visit(list_.candidates().pair(k), overlap(k));
   }
+  /// Those at the poses that were last looked at, friction too.
+  void for_each_pair(const Model& model, const PairVisit& visit) const override;
   /// Looks at the poses that a step has led to.
   void look(const Step& step);
   /// Forces of the contacts, their energy and their number.

@@ -255,6 +255,7 @@ void Tool::press(const Passer& passer, const SurfacePoint& place, const Passage&
   const ContactResponse<double> response = linear_contact(contact_of(passer), motion, before);
   candidate.force -= response.force;
   candidate.moment -= cross(lever, response.force);
+  candidate.virial += virial_of_force(-response.force, lever);
   candidate.on_tool += cross(place.position - passage.point, response.force);
   candidate.friction += response.friction_work;
   candidate.damping += response.damping_work;
@@ -268,6 +269,7 @@ void Tool::meet(const Passer& passer, const RigidPose& pose, const Passage& pass
   std::vector<Touch> before = std::move(candidate.touches);
   candidate.touches.clear();
   candidate.force = candidate.moment = candidate.on_tool = {};
+  candidate.virial = {};
   candidate.friction = candidate.damping = 0;
   const Vector& centre = passer.passage.point;
   const double radius = radius_[static_cast<std::size_t>(candidate.element)];
@@ -455,6 +457,11 @@ void Tool::summarise(const Model& /*model*/, Summary& summary) const {
                              {"searches", searches_},
                              {"elements_that_overlapped_at_the_start", fitted_},
                              {"deepest_overlap_at_the_start", deepest_fitted_}};
+}
+
+void Tool::for_each_touched(const Visit& visit) const {
+  for (const Candidate& candidate : candidates_)
+    if (!candidate.touches.empty()) visit(candidate.element, candidate.virial);
 }
 
 std::vector<std::int32_t> Tool::touched() const {

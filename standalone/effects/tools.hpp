@@ -10,6 +10,7 @@
 
 #include "effects/contact_heat.hpp"
 #include "effects/effect.hpp"
+#include "effects/acting_effects.hpp"
 #include "effects/tool_motion.hpp"
 #include "laws/linear_contact.hpp"
 #include "model/rigid_shape.hpp"
@@ -36,7 +37,7 @@ struct ToolContact {
 /// anew when elements and tool may have moved through it; what the tool touches does not depend on
 /// when that is. An element that overlaps the tool a little where a run begins touches it where it
 /// stands.
-class Tool : public Effect {
+class Tool : public Effect, public TouchesElements {
  public:
   /// Throws InputError when the tool begins deep inside of the body. `stiffness`: k_n, N/m.
   Tool(std::string name, std::unique_ptr<RigidShape> shape, const RigidPose& start,
@@ -72,6 +73,7 @@ class Tool : public Effect {
     for (const Candidate& candidate : candidates_)
       for (const Touch& touch : candidate.touches) visit(candidate.element, touch.overlap);
   }
+  void for_each_touched(const Visit& visit) const override;
   /// How often candidates were sought.
   std::size_t searches() const { return searches_; }
   /// Elements that it touches.
@@ -94,10 +96,14 @@ class Tool : public Effect {
     double gap = 0;  ///< that tool and element must close before they touch, m
     std::vector<Touch> touches;
     Vector force{}, moment{};          ///< on the element, about its centre
+    SymmetricTensor<double> virial{};  ///< Σ sym(force ⊗ lever from its centre), N·m
     Vector on_tool{};                  ///< moment of the opposite about the tool's rotation point
     double friction = 0, damping = 0;  ///< J, dissipated in the last step
 
-    void state(Archive& archive) { archive(element, touches, force, moment); }
+    void state(Archive& archive) {
+      archive(element, touches, force, moment, virial.xx, virial.xy, virial.xz, virial.yy,
+              virial.yz, virial.zz);
+    }
   };
   /// How a rigid body moves from one pose to the next: the velocity of a point and the angular
   /// velocity, and where the point is in the end.

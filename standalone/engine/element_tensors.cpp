@@ -13,6 +13,10 @@ Eigen::Vector3d eigen_of(const Vector& v) {
   return {v.x, v.y, v.z};
 }
 
+Eigen::Matrix3d eigen_of(const SymmetricTensor<double>& t) {
+  return Eigen::Matrix3d{{t.xx, t.xy, t.xz}, {t.xy, t.yy, t.yz}, {t.xz, t.yz, t.zz}};
+}
+
 /// How far an element is from where it was at rest, m.
 Vector displacement(const Model& model, std::int32_t element) {
   const auto e = static_cast<std::size_t>(element);
@@ -64,18 +68,22 @@ Eigen::Matrix3d inverse_where_spanned(const Eigen::Matrix3d& squares) {
 }  // namespace
 
 ElementTensors element_stress(const Model& model,
-                              const std::vector<const ActsBetweenElements*>& actors) {
-  ElementTensors stress = zeros(model);
+                              const std::vector<const ActsBetweenElements*>& actors,
+                              const std::vector<const TouchesElements*>& tools) {
+  std::vector<SymmetricTensor<double>> virial(model.elements());
   for (const ActsBetweenElements* actor : actors)
     actor->for_each_pair(model, [&](const PairLoad& pair) {
-      const Eigen::Matrix3d dyad =
-          eigen_of(pair.force) * eigen_of(chord_now(model, pair)).transpose();
-      const Eigen::Matrix3d half = 0.25 * (dyad + dyad.transpose());
-      stress[static_cast<std::size_t>(pair.i)] += half;
-      stress[static_cast<std::size_t>(pair.j)] += half;
+      const auto of_pair = virial_of_pair(pair.force, chord_now(model, pair));
+      virial[static_cast<std::size_t>(pair.i)] += of_pair;
+      virial[static_cast<std::size_t>(pair.j)] += of_pair;
+    });
+  for (const TouchesElements* tool : tools)
+    tool->for_each_touched([&](std::int32_t element, const SymmetricTensor<double>& of_tool) {
+      virial[static_cast<std::size_t>(element)] += of_tool;
     });
   const std::vector<double> volume = represented_mass(model.specimen(), {1.0});
-  for (std::size_t i = 0; i < stress.size(); ++i) stress[i] /= volume[i];
+  ElementTensors stress;
+  for (std::size_t i = 0; i < virial.size(); ++i) stress.push_back(eigen_of(virial[i] / volume[i]));
   return stress;
 }
 

@@ -8,26 +8,26 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "effects/pair_loads.hpp"
+#include "effects/acting_effects.hpp"
 
 namespace solidem {
 
 /// One tensor for each element; rows and columns are x, y, z.
 using ElementTensors = std::vector<Eigen::Matrix3d>;
 
-/// Virial stress (Love–Weber; Thompson, Plimpton and Mattson 2009, 10.1063/1.3245303) without its
-/// kinetic part, Pa, tension positive: half of what each pair of an element does, force times chord
-/// between the centres where they are now, over the volume at rest that the element represents (a
-/// Kirchhoff stress); symmetric part. The mean over a body that is loaded from outside only, by
-/// volume, is the body's own. Forces of contacts, tools, grips and loads are not in it.
+/// Virial stress (laws/virial_stress.hpp), Pa, tension positive: of bonds or central forces,
+/// contacts and tools, with chords and levers as they are now, over the volume at rest that the
+/// element represents (a Kirchhoff stress). The mean over a body at rest, by volume, is the body's
+/// own. Grips and loads act at centres and add nothing.
 ElementTensors element_stress(const Model& model,
-                              const std::vector<const ActsBetweenElements*>& actors);
+                              const std::vector<const ActsBetweenElements*>& actors,
+                              const std::vector<const TouchesElements*>& tools);
 
 /// Deformation gradient F by least squares (Falk and Langer 1998, 10.1103/PhysRevE.57.7192): that
 /// which takes the chords at rest, from an element to its present neighbours and to theirs, closest
 /// to what they are now. Neighbours alone would tell a seventh less than a packing is strained, as
 /// chords along which it is stiff stretch less than others. Across what the chords do not span F
-/// leaves lengths as they were.
+/// leaves lengths as they were. Contacts make nobody a neighbour.
 ElementTensors deformation_gradient(const Model& model,
                                     const std::vector<const ActsBetweenElements*>& actors);
 

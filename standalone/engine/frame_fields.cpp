@@ -24,29 +24,31 @@ namespace {
 class Scenery {
  public:
   Scenery(const Simulation& simulation, const Frame& frame)
-      : model_(simulation.model()), frame_(frame) {
-    for (const auto& effect : simulation.effects())
-      if (const auto* actor = dynamic_cast<const ActsBetweenElements*>(effect.get()))
-        actors_.push_back(actor);
-  }
+      : model_(simulation.model()), frame_(frame), effects_(simulation.effects()) {}
 
   const Model& model() const { return model_; }
   const Frame& frame() const { return frame_; }
-  const std::vector<const ActsBetweenElements*>& actors() const { return actors_; }
+  /// Bonds, or central forces.
+  std::vector<const ActsBetweenElements*> mechanics() const {
+    const auto found = those_that_are<Mechanics>(effects_);
+    return {found.begin(), found.end()};
+  }
 
   const ElementTensors& stress() {
-    if (!stress_) stress_ = element_stress(model_, actors_);
+    if (!stress_)
+      stress_ = element_stress(model_, those_that_are<ActsBetweenElements>(effects_),
+                               those_that_are<TouchesElements>(effects_));
     return *stress_;
   }
   const ElementTensors& deformation() {
-    if (!deformation_) deformation_ = deformation_gradient(model_, actors_);
+    if (!deformation_) deformation_ = deformation_gradient(model_, mechanics());
     return *deformation_;
   }
 
  private:
   const Model& model_;
   const Frame& frame_;
-  std::vector<const ActsBetweenElements*> actors_;
+  const std::vector<std::unique_ptr<Effect>>& effects_;
   std::optional<ElementTensors> stress_, deformation_;
 };
 
@@ -181,8 +183,7 @@ Numbers of_bonds(Scenery& scenery, Vector PairLoad::*load) {
   const auto ends = [](const Pair& pair) { return std::pair(pair.i, pair.j); };
   const auto before = [&](const Pair& a, const Pair& b) { return ends(a) < ends(b); };
   Numbers values(3 * drawn.size(), 0.0);
-  for (const ActsBetweenElements* actor : scenery.actors()) {
-    if (dynamic_cast<const Mechanics*>(actor) == nullptr) continue;
+  for (const ActsBetweenElements* actor : scenery.mechanics())
     actor->for_each_pair(scenery.model(), [&](const PairLoad& pair) {
       const Pair sought{pair.i, pair.j};
       const auto found = std::lower_bound(drawn.begin(), drawn.end(), sought, before);
@@ -191,7 +192,6 @@ Numbers of_bonds(Scenery& scenery, Vector PairLoad::*load) {
       const auto at = static_cast<std::size_t>(3 * (found - drawn.begin()));
       values[at] = on_i.x, values[at + 1] = on_i.y, values[at + 2] = on_i.z;
     });
-  }
   return values;
 }
 

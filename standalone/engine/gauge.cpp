@@ -2,6 +2,7 @@
 #include "engine/gauge.hpp"
 
 #include <string>
+#include <utility>
 
 #include "effects/gauge_check.hpp"
 #include "model/displacement_gradient.hpp"
@@ -10,9 +11,9 @@
 namespace solidem {
 
 GaugeSection::GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& component_elements,
-                           const Mechanics& mechanics, const Model& model)
+                           std::vector<const ActsBetweenElements*> actors, const Model& model)
     : gauge_(gauge),
-      mechanics_(mechanics),
+      actors_(std::move(actors)),
       cross_section_(model.specimen().domain.cross_section(gauge.axis)) {
   check_gauge(gauge, model.specimen().domain);
   for (const std::int32_t e : component_elements) {
@@ -41,12 +42,14 @@ Vector GaugeSection::strains(const Model& model) const {
 void GaugeSection::observe(const Model& model, Observation& observation) const {
   const Specimen& specimen = model.specimen();
   double tension = 0;  // force times length along the axis
-  mechanics_.for_each_pair(model, [&](const PairLoad& pair) {
-    const double from = component(specimen.position[static_cast<std::size_t>(pair.i)], gauge_.axis);
-    const double along = component(pair.chord, gauge_.axis);
-    const double pull = component(pair.force, gauge_.axis);
-    tension += (along > 0 ? pull : -pull) * length_inside(gauge_, specimen.domain, from, along);
-  });
+  for (const ActsBetweenElements* actor : actors_)
+    actor->for_each_pair(model, [&](const PairLoad& pair) {
+      const double from =
+          component(specimen.position[static_cast<std::size_t>(pair.i)], gauge_.axis);
+      const double along = component(pair.chord, gauge_.axis);
+      const double pull = component(pair.force, gauge_.axis);
+      tension += (along > 0 ? pull : -pull) * length_inside(gauge_, specimen.domain, from, along);
+    });
   const double stress = tension / (gauge_.upper - gauge_.lower) / cross_section_;
   const Vector strain = strains(model);
   const double lateral =

@@ -4,23 +4,25 @@
 
 #include <vector>
 
-#include "effects/mechanics.hpp"
+#include "effects/effect.hpp"
+#include "effects/acting_effects.hpp"
 #include "effects/setup.hpp"
 
 namespace solidem {
 
 /// Engineering stress and strain of a section between two planes.
-/// Stress: the force of neighbours across a plane normal to the axis, averaged over all planes of
-/// the section, over the cross-section at rest. Strain: of F = 1 + the gradient of the displacement
-/// that fits the section's elements best (least squares, all nine components at once), the stretch
-/// of a line along the axis, |F e| − 1, so that a rotation strains nothing; lateral strain
-/// likewise, mean of both directions. Only elements of the largest bonded component count.
+/// Stress: the force of neighbours, and of contacts, across a plane normal to the axis, averaged
+/// over all planes of the section, over the cross-section at rest; planes go with the elements.
+/// Strain: of F = 1 + the gradient of the displacement that fits the section's elements best (least
+/// squares, all nine components at once), the stretch of a line along the axis, |F e| − 1, so that
+/// a rotation strains nothing; lateral strain likewise, mean of both directions. Only elements of
+/// the largest bonded component count.
 class GaugeSection : public Observer {
  public:
   /// `component`: elements of the largest bonded component. Throws InputError when fewer than 10 of
   /// them lie in the section, or when it reaches beyond the body.
   GaugeSection(const Gauge& gauge, const std::vector<std::int32_t>& component,
-               const Mechanics& mechanics, const Model& model);
+               std::vector<const ActsBetweenElements*> actors, const Model& model);
   void observe(const Model& model, Observation& observation) const override;
 
   const std::vector<std::int32_t>& elements() const { return elements_; }
@@ -30,7 +32,7 @@ class GaugeSection : public Observer {
   Vector strains(const Model& model) const;
 
   Gauge gauge_;
-  const Mechanics& mechanics_;
+  std::vector<const ActsBetweenElements*> actors_;
   double cross_section_;
   std::vector<std::int32_t> elements_;
   std::vector<Vector> weight_;  ///< of each element's displacement: they sum to the gradient

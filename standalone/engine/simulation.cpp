@@ -164,8 +164,9 @@ std::vector<Pair> Simulation::pairs() const {
 
 void Simulation::add_observers() {
   if (setup_.gauge) {
-    auto gauge = std::make_unique<GaugeSection>(*setup_.gauge, selections_["component"],
-                                                *mechanics_, model_);
+    auto gauge =
+        std::make_unique<GaugeSection>(*setup_.gauge, selections_["component"],
+                                       those_that_are<ActsBetweenElements>(effects_), model_);
     selections_.erase("component");
     selections_["gauge"] = gauge->elements();
     observers_.push_back(std::move(gauge));

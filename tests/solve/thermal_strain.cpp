@@ -56,8 +56,8 @@ TEST(ElementStress, sums_to_the_mean_stress_of_the_body) {
   const Matrix3 mean = mean_stress(network, e);
   double xx = 0, xy = 0;
   for (std::size_t i = 0; i < body.size(); ++i) {
-    xx += stress[i][0] * volume[i] / body.domain.volume;
-    xy += stress[i][1] * volume[i] / body.domain.volume;
+    xx += stress[i].xx * volume[i] / body.domain.volume;
+    xy += stress[i].xy * volume[i] / body.domain.volume;
   }
   EXPECT_NEAR(xx / mean[0].x, 1, 1e-12);
   EXPECT_NEAR(xy / mean[0].x, 0.5 * (mean[0].y + mean[1].x) / mean[0].x, 1e-12);

@@ -153,19 +153,17 @@ GaugeMeasure measure_gauge(const BeamNetwork& network, const Equilibrium& equili
   return {stress, strain(gauge.axis), {strain((gauge.axis + 1) % 3), strain((gauge.axis + 2) % 3)}};
 }
 
-std::vector<std::array<double, 6>> element_stress(const BeamNetwork& network,
-                                                  const Equilibrium& equilibrium,
-                                                  const std::vector<double>& volume) {
-  std::vector<std::array<double, 6>> stress(volume.size());
+std::vector<SymmetricTensor<double>> element_stress(const BeamNetwork& network,
+                                                    const Equilibrium& equilibrium,
+                                                    const std::vector<double>& volume) {
+  std::vector<SymmetricTensor<double>> stress(volume.size());
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {
     const Pair pair = network.bonds[b];
-    const Vector f = equilibrium.bond_force[b], d = rest_chord(*network.specimen, pair);
-    const std::array<double, 6> moment{
-        f.x * d.x, 0.5 * (f.x * d.y + f.y * d.x), 0.5 * (f.z * d.x + f.x * d.z),
-        f.y * d.y, 0.5 * (f.y * d.z + f.z * d.y), f.z * d.z};
+    const auto of_pair =
+        virial_of_pair(equilibrium.bond_force[b], rest_chord(*network.specimen, pair));
     for (const std::int32_t end : {pair.i, pair.j}) {
       const auto e = static_cast<std::size_t>(end);
-      for (std::size_t k = 0; k < 6; ++k) stress[e][k] += 0.5 * moment[k] / volume[e];
+      stress[e] += of_pair / volume[e];
     }
   }
   return stress;

@@ -11,6 +11,7 @@
 #include "effects/beam_parameters.hpp"
 #include "effects/setup.hpp"
 #include "laws/beam.hpp"
+#include "laws/virial_stress.hpp"
 #include "model/specimen.hpp"
 #include "solve/statics/linear_method.hpp"
 
@@ -93,11 +94,11 @@ GaugeMeasure measure_gauge(const BeamNetwork& network, const Equilibrium& equili
                            const Gauge& gauge);
 
 /// Stress of each element, Pa: half of Σ bond force ⊗ rest chord of its bonds, over the volume that
-/// it stands for (m³), the mean of both shear stresses: xx xy xz yy yz zz, as frames of
+/// it stands for (m³), the mean of both shear stresses (laws/virial_stress.hpp), as frames of
 /// a run have it (engine/element_tensors.hpp), for small displacements.
-std::vector<std::array<double, 6>> element_stress(const BeamNetwork& network,
-                                                  const Equilibrium& equilibrium,
-                                                  const std::vector<double>& volume);
+std::vector<SymmetricTensor<double>> element_stress(const BeamNetwork& network,
+                                                    const Equilibrium& equilibrium,
+                                                    const std::vector<double>& volume);
 
 /// Mean stress of the body, Pa: Σ bond force ⊗ rest chord / volume. Row: axis of the force.
 Matrix3 mean_stress(const BeamNetwork& network, const Equilibrium& equilibrium);
