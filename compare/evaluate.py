@@ -7,7 +7,7 @@ from pathlib import Path
 
 # Imported so that their measures are known.
 from compare import (beam_modes, beam_yield, central, cyclic, heat_measures,  # noqa: F401
-                     slender_beams, tension)
+                     slender_beams, stress_measures, tension)
 from compare.case import Case, CaseError, Check, Variant, read_case
 from compare.codes.base import Code
 from compare.measures import MEASURES

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""CalculiX: finite elements, on a mesh of its own, of the plate with the moving disc."""
+"""CalculiX: finite elements, on a mesh of its own, of the plate with the moving disc or hot spot."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from compare.codes.base import Job, TwoSpheres, run_program, said_version
+from compare.codes.calculix_hot_plate import run_hot_plate
 from compare.references import MovingDisc
 from compare.result import CodeFailure, Floats, Frame, Result
 from contrib.prepared import Parameters
@@ -135,7 +136,8 @@ class Calculix:
     """CalculiX as Debian packages it.
 
     It reads nothing of the specimen: the plate, the source, the mesh ([options.calculix]: cells,
-    increments) and the points ([options.points]) stand in the case.
+    increments) and the points ([options.points]) stand in the case. With [options.hot_plate] it
+    is that plate's stress that is asked for.
     """
 
     name: str = "calculix"
@@ -156,8 +158,13 @@ class Calculix:
         return False
 
     def run(self, job: Job, directory: Path) -> Result:
-        """Temperatures at the points of the case against time, as sensors of these names."""
+        """Temperatures at the points of the case against time, as sensors of these names.
+
+        Of a hot plate: temperature and stress of its bricks at rest.
+        """
         directory.mkdir(parents=True, exist_ok=True)
+        if "hot_plate" in job.options:
+            return run_hot_plate(job, directory, self.program, self.name)
         plate, mesh, own = _plate_and_mesh(job.options)
         points: dict[str, list[float]] = job.options.get("points", {})
         nodes = [mesh.nearest_node(np.array([x, y, mesh.lower[2] + plate.thickness / 2]))

@@ -19,8 +19,8 @@ from compare.result import CodeFailure, Floats, Frame, Result
 class Statics:
     """The solver of the standalone program. The case's [options] may ask for `modes` vibrations.
 
-    The history of its result has one row for what sensors and grips show at rest, and a column
-    `frequency` (Hz) with a row for each vibration.
+    The history of its result has one row for what sensors, grips and a gauge show at rest, and a
+    column `frequency` (Hz) with a row for each vibration.
     """
 
     name: str = "statics"
@@ -57,10 +57,14 @@ class Statics:
                 for quantity in ("displacement", "force"):
                     for axis, value in zip("xyz", shown.get(quantity) or []):
                         history[f"{kind[:-1]}.{name}.{quantity}_{axis}"] = np.array([value])
+        for quantity in ("stress", "strain"):
+            if quantity in (gauge := summary.get("gauge") or {}):
+                history[f"gauge.{quantity}"] = np.array([gauge[quantity]])
         with h5py.File(results / "trajectory.h5") as file:
             group = next(iter(file["frames"].values()))
             frame = Frame(int(group.attrs["step"]), float(group.attrs["time"]),
-                          {"position": np.asarray(group["position"][:], dtype=float)})
+                          {name: np.asarray(group[name][:], dtype=float)
+                           for name in ("position", "stress", "temperature") if name in group})
         return Result(self.name, int(summary["elements"]), int(summary["bonds"]), frame.step,
                       job.parameters.time_step, float(sum(summary["wall_seconds"].values())),
                       history, [frame])

@@ -6,6 +6,7 @@ from __future__ import annotations
 from compare.references.beam import (beam_stiffness, bilinear_stress, cyclic_stress,
                                      scaled_offset_stress, spring_stiffness)
 from compare.references.bessel import bessel_j1
+from compare.references.hot_plate import HotPlate
 from compare.references.lattice import finite_difference_step
 from compare.references.layers import Layer, layers_temperature
 from compare.references.moving_disc import MovingDisc, moving_disc_temperature
@@ -15,7 +16,7 @@ from compare.references.slender_beam import (cantilever_frequencies, cantilever_
                                              tip_deflection)
 from compare.references.wedge import wedge_temperature
 
-__all__ = ["Layer", "MovingDisc", "beam_stiffness", "bessel_j1", "bilinear_stress",
+__all__ = ["HotPlate", "Layer", "MovingDisc", "beam_stiffness", "bessel_j1", "bilinear_stress",
            "cantilever_frequencies", "cantilever_roots", "circular_second_moment",
            "collapse_load", "cyclic_stress", "finite_difference_step", "layers_temperature",
            "moving_disc_temperature", "rod_temperature", "scaled_offset_stress",

@@ -43,18 +43,23 @@ class MovingDisc:
         """α, m²/s."""
         return self.conductivity / (self.density * self.specific_heat_capacity)
 
-    def fraction_heated(self, time: float, lower: Floats, upper: Floats, lines: int = 32) -> Floats:
-        """(N,) fraction of each rectangle from `lower` to `upper` (N, 2), m, inside the disc.
+    def fraction_heated(self, time: float, lower: Floats, upper: Floats) -> Floats:
+        """(N,) fraction of each rectangle from `lower` to `upper` (N, 2), m, inside the disc."""
+        centre = np.array([self.start[0] + self.speed * time, self.start[1]])
+        return disc_fraction(lower - centre, upper - centre, self.disc_radius)
 
-        Chords of the disc along x, Gauss points across.
-        """
-        points, weights = np.polynomial.legendre.leggauss(lines)
-        y = (lower[:, 1:] + upper[:, 1:] + (upper - lower)[:, 1:] * points) / 2 - self.start[1]
-        half = np.sqrt(np.maximum(0.0, self.disc_radius**2 - y**2))
-        x = lower[:, :1] - self.start[0] - self.speed * time
-        across = (upper - lower)[:, :1]
-        chord = np.clip(half, x, x + across) - np.clip(-half, x, x + across)
-        return (chord / across) @ weights / 2
+
+def disc_fraction(lower: Floats, upper: Floats, radius: float, lines: int = 32) -> Floats:
+    """(N,) fraction of each rectangle from `lower` to `upper` (N, 2) inside a disc about 0.
+
+    Chords of the disc along x, Gauss points across.
+    """
+    points, weights = np.polynomial.legendre.leggauss(lines)
+    y = (lower[:, 1:] + upper[:, 1:] + (upper - lower)[:, 1:] * points) / 2
+    half = np.sqrt(np.maximum(0.0, radius**2 - y**2))
+    x, across = lower[:, :1], (upper - lower)[:, :1]
+    chord = np.clip(half, x, x + across) - np.clip(-half, x, x + across)
+    return (chord / across) @ weights / 2
 
 
 def moving_disc_temperature(plate: MovingDisc, time: Floats, points: Floats,
