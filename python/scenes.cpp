@@ -69,7 +69,8 @@ void record_in_python(const Scene& scene, const std::string& folder, bool overwr
   {
     const py::gil_scoped_release others_may_run;
     const InterruptsRun interrupts;
-    completed = record(scene, folder, overwrite, resume, force, quiet);
+    completed =
+        at_places_of(scene, [&] { return record(scene, folder, overwrite, resume, force, quiet); });
   }
   if (completed) return;
   PyErr_SetNone(PyExc_KeyboardInterrupt);

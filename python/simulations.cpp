@@ -22,8 +22,9 @@ namespace {
 class PythonSimulation {
  public:
   PythonSimulation(const Scene& scene, const Specimen* specimen, bool force)
-      : fingerprint_(fingerprint(scene)),
-        simulation_(scene.setup, specimen != nullptr ? *specimen : make_body(scene), force) {}
+      : fingerprint_(fingerprint(scene)), simulation_(at_places_of(scene, [&] {
+          return Simulation(scene.setup, specimen != nullptr ? *specimen : make_body(scene), force);
+        })) {}
 
   Simulation& operator*() { return simulation_; }
   const Simulation& operator*() const { return simulation_; }

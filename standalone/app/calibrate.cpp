@@ -171,9 +171,9 @@ Json json_of(const Calibration& found, const CalibrationTargets& targets) {
 std::vector<Specimen> make_specimens(const Scene& scene, int count) {
   if (count > 1 && (!scene.specimen.file.empty() || scene.specimen.shape == "crystal"))
     throw InputError(fmt::format(
-        "{}: [calibration] specimens = {}: a {} has no seed, so there is one specimen of it; "
+        "[calibration] specimens = {}: a {} has no seed, so there is one specimen of it; "
         "expected specimens = 1",
-        scene.path, count, scene.specimen.file.empty() ? "crystal" : "specimen file"));
+        count, scene.specimen.file.empty() ? "crystal" : "specimen file"));
   std::vector<Specimen> specimens(static_cast<std::size_t>(count));
   for_each_at_once(specimens.size(), [&](std::size_t k) {
     Scene own = scene;
@@ -197,20 +197,17 @@ void print_result(const Calibration& found, const CalibrationTargets& targets,
   tell("\n{}\n-> {}\n", bond_sections(found.bonds), file);
 }
 
-}  // namespace
-
-int calibrate_scene(const CalibrateCommand& command) {
+int calibrate_that(const Scene& scene, const CalibrateCommand& command) {
   const Voice tell{command.quiet};
-  if (command.threads > 0) omp_set_num_threads(command.threads);
   const auto start = Clock::now();
-  const Scene scene = read_scene(command.scene);
   if (!scene.calibration && !scene.orthotropic_calibration)
     throw InputError(scene.path +
                      ": nothing to calibrate for; expected a section [calibration] with targets");
   const Setup& setup = scene.setup;
   if (setup.materials.size() > 1)
-    throw InputError(scene.path +
-                     ": several [[material]]: a bar is calibrated for one; expected [material]");
+    throw InputError(
+        "[[material]] 2: there are several of them: a bar is calibrated for one; expected "
+        "[material]");
   const std::string directory = command.output.empty()
                                     ? std::filesystem::path(scene.path).stem().string() + ".results"
                                     : command.output;
@@ -222,9 +219,9 @@ int calibrate_scene(const CalibrateCommand& command) {
   tell("{}: {} specimen(s) of {} elements, {} bonds in the first, from seed {}\n", scene.title,
        specimens.size(), specimens[0].size(), specimens[0].bonds.size(), scene.specimen.seed);
   if (specimens[0].report.count(estimated_volume) != 0)
-    throw InputError(scene.path +
-                     ": [calibration] stress is force over the section of the body, which the "
-                     "specimen's file does not tell; expected [specimen] shape or volume");
+    throw InputError(
+        "[calibration] stress is force over the section of the body, which the "
+        "specimen's file does not tell; expected [specimen] shape or volume");
   if (!command.quiet) print_notes(notes_on(specimens[0], specimens[0].bonds));
 
   if (scene.orthotropic_calibration)
@@ -279,6 +276,14 @@ int calibrate_scene(const CalibrateCommand& command) {
   if (misses.empty()) return 0;
   throw RunError("[calibration] not every target was met; the nearest parameters are in " +
                  directory + ":" + misses);
+}
+
+}  // namespace
+
+int calibrate_scene(const CalibrateCommand& command) {
+  if (command.threads > 0) omp_set_num_threads(command.threads);
+  const Scene scene = read_scene(command.scene);
+  return at_places_of(scene, [&] { return calibrate_that(scene, command); });
 }
 
 }  // namespace solidem

@@ -26,12 +26,9 @@ std::string text_of(const Vector& v) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);
 }
 
-}  // namespace
-
-void measure_constants(const SceneSource& source, bool json) {
-  const Scene scene = read_scene(source);
+void measure(const Scene& scene, bool json) {
   if (!scene.setup.get<BeamParameters>())
-    throw InputError(source.path + ": nothing is elastic; expected a section [beams]");
+    throw InputError(scene.path + ": nothing is elastic; expected a section [beams]");
   const BeamParameters& beams = *scene.setup.get<BeamParameters>();
   const Specimen specimen = make_body(scene);
   const GrainAxes<double> axes =
@@ -73,6 +70,13 @@ void measure_constants(const SceneSource& source, bool json) {
         c < 6 ? " GPa" : "");
   say("E_L/E_T {:.4g}, E_L/G_LT {:.4g}; from an orthotropic body {:.2g}  ({:.2g} s)\n",
       nine[0] / nine[2], nine[0] / nine[4], constants.coupling, seconds);
+}
+
+}  // namespace
+
+void measure_constants(const SceneSource& source, bool json) {
+  const Scene scene = read_scene(source);
+  at_places_of(scene, [&] { measure(scene, json); });
 }
 
 }  // namespace solidem

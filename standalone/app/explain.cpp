@@ -263,10 +263,7 @@ void print(const Json& report) {
   print_notes(report["notes"].get<std::vector<std::string>>());
 }
 
-}  // namespace
-
-void explain_scene(const ExplainCommand& command) {
-  const Scene scene = read_scene(command.scene);
+void explain(const Scene& scene, const ExplainCommand& command) {
   const auto start = Clock::now();
   Simulation simulation(scene.setup, make_body(scene), command.force);
   const double preparation = seconds_since(start);
@@ -276,6 +273,13 @@ void explain_scene(const ExplainCommand& command) {
     print_json(report);
   else
     print(report);
+}
+
+}  // namespace
+
+void explain_scene(const ExplainCommand& command) {
+  const Scene scene = read_scene(command.scene);
+  at_places_of(scene, [&] { explain(scene, command); });
 }
 
 }  // namespace solidem

@@ -197,7 +197,7 @@ ShownLaw scene_law(const NamedLaw& named, const LawDefaults& defaults) {
   shown.range = forces.range;
   shown.interpenetration = forces.interpenetration;
   if (named.values.count("equilibrium") == 0 && defaults.equilibrium.empty())
-    shown.equilibrium = 2 * mean_radius_of(scene);
+    shown.equilibrium = 2 * at_places_of(scene, [&] { return mean_radius_of(scene); });
   apply_common(shown, named, defaults);
   return shown;
 }

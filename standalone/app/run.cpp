@@ -50,13 +50,7 @@ std::string in_shell(const std::string& word) {
   return quoted + "'";
 }
 
-}  // namespace
-
-int run_scene(const RunCommand& command) {
-  const auto beginning = Clock::now();
-  kernels();  // an impossible choice of instruction set must fail before any work
-  if (command.threads > 0) omp_set_num_threads(command.threads);
-  const Scene scene = read_scene(command.scene);
+int run_that(const Scene& scene, const RunCommand& command, Clock::time_point beginning) {
   if (!scene.setup.run.duration && !scene.setup.run.steps)
     throw InputError(scene.path +
                      ": nothing says how long to run; expected a section [run] with duration or "
@@ -118,6 +112,16 @@ int run_scene(const RunCommand& command) {
   say("interrupted at step {}; go on with: solidem run {} --output {} --resume\n",
       simulation.step(), words, in_shell(options.directory));
   return 130;
+}
+
+}  // namespace
+
+int run_scene(const RunCommand& command) {
+  const auto beginning = Clock::now();
+  kernels();  // an impossible choice of instruction set must fail before any work
+  if (command.threads > 0) omp_set_num_threads(command.threads);
+  const Scene scene = read_scene(command.scene);
+  return at_places_of(scene, [&] { return run_that(scene, command, beginning); });
 }
 
 }  // namespace solidem

@@ -77,7 +77,7 @@ std::vector<std::string> sections_left_out(const Scene& scene) {
     const bool is_thermal = kind.provides == Provides::heat || kind.needs == Provides::heat;
     if (kind.section == "softening" ||
         (!is_thermal && !is_one_of(kind.section, {"contact", "damping", "initial_velocities"})))
-      throw InputError(scene.path + ": " + name +
+      throw InputError(name +
                        " acts in a run, and `solidem solve` does not know it; expected a scene "
                        "without it");
     left_out.push_back(name);
@@ -113,10 +113,11 @@ void note_what_is_left_out(const Scene& scene, const Simulation& simulation, Sta
     });
     if (static_cast<std::size_t>(outside) == held.size())
       throw InputError(fmt::format(
-          "{}: grip \"{}\": none of its {} elements belongs to the body that is solved for, the "
+          "[[grips]] \"{}\" region: none of its {} elements belongs to the body that is solved "
+          "for, the "
           "largest piece, of {} of {} elements; expected a region that reaches it, or bonds that "
           "join the pieces ([bonds] tolerance)",
-          scene.path, grip.name, held.size(), count, inside.size()));
+          grip.name, held.size(), count, inside.size()));
     if (outside > 0)
       body.notes.push_back(
           fmt::format("grip \"{}\": {} of its {} elements are outside of that body", grip.name,
@@ -129,8 +130,7 @@ void set_up(const Scene& scene, StaticScene& body) {
     throw InputError(scene.path +
                      ": the scene has no [beams]; `solidem solve` needs bonds to solve");
   if (!scene.setup.all<TurningGripParameters>().empty())
-    throw InputError(scene.path + ": [[grips]] \"" +
-                     scene.setup.all<TurningGripParameters>().front().grip.name +
+    throw InputError("[[grips]] \"" + scene.setup.all<TurningGripParameters>().front().grip.name +
                      "\" turns, which `solidem solve` does not know; expected grips with "
                      "displacements and forces");
   // Whether a time step is stable does not matter here.
@@ -152,7 +152,7 @@ void set_up(const Scene& scene, StaticScene& body) {
            body.conditions);
 }
 
-Equilibrium find_equilibrium(const StaticScene& body, const SolveCommand& command) {
+Equilibrium equilibrium_of(const StaticScene& body, const SolveCommand& command) {
   if (command.rotations == "small")
     return small_equilibrium(body.network, body.conditions.constraints, body.conditions.loads);
   FiniteOptions options;
@@ -164,6 +164,15 @@ Equilibrium find_equilibrium(const StaticScene& body, const SolveCommand& comman
     };
   return finite_equilibrium(body.network, body.conditions.constraints, body.conditions.loads,
                             options);
+}
+
+/// What cannot be solved is not held, or loaded, as it must be.
+Equilibrium find_equilibrium(const StaticScene& body, const SolveCommand& command) {
+  try {
+    return equilibrium_of(body, command);
+  } catch (const InputError& error) {
+    throw InputError(std::string("[[grips]] ") + error.what());
+  }
 }
 
 std::vector<Mode> find_modes(const StaticScene& body, const SolveCommand& command,
@@ -270,12 +279,8 @@ void insist_on_balance(const Scene& scene, const BeamNetwork& network,
       scene.path, equilibrium.residual));
 }
 
-}  // namespace
-
-nlohmann::ordered_json solve(const SolveCommand& command) {
+Json solve_that(const Scene& scene, const SolveCommand& command) {
   const Voice tell{command.json};
-  if (command.threads > 0) omp_set_num_threads(command.threads);
-  const Scene scene = read_scene(command.scene);
   const std::string directory = command.output.empty()
                                     ? std::filesystem::path(scene.path).stem().string() + ".results"
                                     : command.output;
@@ -290,25 +295,19 @@ nlohmann::ordered_json solve(const SolveCommand& command) {
   StaticScene body;
   set_up(scene, body);
   if (command.rotations != "small" && !body.temperature.empty())
-    throw InputError(scene.path +
-                     ": [expansion] is known with small rotations only; expected "
-                     "--rotations small, or a scene without it");
+    throw InputError(
+        "[expansion] is known with small rotations only; expected "
+        "--rotations small, or a scene without it");
   lap("set-up");
   tell("{}: {} elements, {} bonds, {} rotations, at {:.4g} s -> {}\n", scene.title,
        body.specimen.size(), body.network.bonds.size(), command.rotations, body.time, directory);
   std::fflush(stdout);
 
-  Equilibrium equilibrium;
-  std::vector<Mode> modes;
-  try {
-    equilibrium = find_equilibrium(body, command);
-    insist_on_balance(scene, body.network, equilibrium);
-    lap("equilibrium");
-    modes = find_modes(body, command, equilibrium);
-    lap("modes");
-  } catch (const InputError& error) {
-    throw InputError(scene.path + ": " + error.what());
-  }
+  const Equilibrium equilibrium = find_equilibrium(body, command);
+  insist_on_balance(scene, body.network, equilibrium);
+  lap("equilibrium");
+  const std::vector<Mode> modes = find_modes(body, command, equilibrium);
+  lap("modes");
   folder.begin();
   write_trajectories(directory, body, equilibrium, modes);
   lap("output");
@@ -377,6 +376,14 @@ nlohmann::ordered_json solve(const SolveCommand& command) {
   summary["hardware"] = to_json(hardware());
   write_summary(directory + "/summary.json", summary);
   return summary;
+}
+
+}  // namespace
+
+nlohmann::ordered_json solve(const SolveCommand& command) {
+  if (command.threads > 0) omp_set_num_threads(command.threads);
+  const Scene scene = read_scene(command.scene);
+  return at_places_of(scene, [&] { return solve_that(scene, command); });
 }
 
 void solve_scene(const SolveCommand& command) {

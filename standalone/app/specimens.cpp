@@ -98,7 +98,8 @@ void prepare_scene(const SpecimenCommand& command) {
   insist_on_new_file(output, command.overwrite);
   const Scene scene = read_scene(command.scene);
   // Whether the step is stable is for the run to judge: other codes may take another step.
-  const Simulation simulation(scene.setup, make_body(scene), true);
+  const Simulation simulation =
+      at_places_of(scene, [&] { return Simulation(scene.setup, make_body(scene), true); });
   write_prepared(output, simulation);
   say("{}: {} elements, {} bonds\n", output, simulation.model().elements(),
       simulation.model().slots().bonds());

@@ -99,13 +99,11 @@ BeamMaterialTable::BeamMaterialTable(const std::vector<BeamMaterial>& materials,
   std::size_t count = 0;
   for (const BeamMaterial& material : materials) {
     ++count;
-    Selections unused;
-    for (const std::int32_t element : select_some(
-             unused, "[[beams.material]] \"" + material.name + "\"", material.region, specimen)) {
+    const std::string owner = "[[beams.material]] \"" + material.name + "\"";
+    for (const std::int32_t element : select_some(owner, material.region, specimen)) {
       std::size_t& number = of_element_[static_cast<std::size_t>(element)];
       if (number != 0)
-        throw InputError("[[beams.material]] \"" + material.name + "\" and \"" +
-                         materials[number - 1].name + "\" share elements, " +
+        throw InputError(owner + " and \"" + materials[number - 1].name + "\" share elements, " +
                          place(specimen, static_cast<std::size_t>(element)) +
                          " for one; their regions must not overlap");
       number = count;

@@ -83,7 +83,8 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
       }
       const double distance = norm(chord), radii = specimen.radius[i] + specimen.radius[j];
       if (!(distance > 1e-9 * radii))
-        throw InputError("elements " + std::to_string(a) + " and " + std::to_string(b) +
+        throw InputError("[central_forces] elements " + std::to_string(a) + " and " +
+                         std::to_string(b) +
                          " stand at one place, so that no force between them has a direction; "
                          "expected a specimen whose elements stand apart");
       const double equilibrium = are_remembered(parameters_) ? distance : radii;

@@ -35,9 +35,17 @@ void insist_on_bodies_apart(const Specimen& specimen) {
                        "platonic law, or bodies that are not bonded");
 }
 
+Tessellation cells_of(const Specimen& specimen) {
+  try {
+    return tessellate(specimen);
+  } catch (const InputError& error) {
+    throw InputError(std::string("[conduction] law = \"voronoi\": ") + error.what());
+  }
+}
+
 ConductionGeometry voronoi_geometry(const Specimen& specimen) {
   insist_on_bodies_apart(specimen);
-  Tessellation cells = tessellate(specimen);
+  Tessellation cells = cells_of(specimen);
   ConductionGeometry geometry;
   geometry.volume = std::move(cells.volume);
   geometry.faces = std::move(cells.faces);

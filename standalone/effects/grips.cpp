@@ -302,7 +302,8 @@ void read_grip(const Section& section, Reading& reading) {
 
 std::vector<std::int32_t> held_by(const GripParameters& grip, Assembly& assembly) {
   std::vector<std::int32_t> elements =
-      select_some(assembly.selections, "grip." + grip.name, grip.region, assembly.specimen());
+      select_some("[[grips]] \"" + grip.name + "\"", grip.region, assembly.specimen());
+  assembly.selections["grip." + grip.name] = elements;
   assembly.claim("[[grips]]", grip.name, elements);
   if (std::any_of(grip.axis.begin(), grip.axis.end(), is_controlled))
     assembly.model.note_driven(elements);

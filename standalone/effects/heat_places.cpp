@@ -32,7 +32,8 @@ std::string known_walls(const Assembly& assembly) {
 
 HeatedFaces exposed_faces(const Assembly& assembly, const std::string& target,
                           const Region& region) {
-  HeatedFaces faces = assembly.need<ExposedSurface>().part(select(region, assembly.specimen()));
+  const std::vector<std::int32_t> elements = select_for(target, region, assembly.specimen());
+  HeatedFaces faces = assembly.need<ExposedSurface>().part(elements);
   if (faces.now->empty())
     throw InputError(target +
                      ": no element of its region is at the surface; the body lies between " +
@@ -45,7 +46,7 @@ HeatedFaces exposed_faces(const Assembly& assembly, const std::string& target,
 HeatedFaces faces_of(const Assembly& assembly, const std::string& section, const std::string& name,
                      const std::string& wall, const Region& region) {
   const auto found = assembly.geometry.walls.find(wall);
-  const std::string target = "[[" + section + "]] \"" + name + "\": wall = \"" + wall + "\"";
+  const std::string target = "[[" + section + "]] \"" + name + "\" wall = \"" + wall + "\"";
   if (wall == ExposedSurface::word) return exposed_faces(assembly, target, region);
   if (found == assembly.geometry.walls.end()) {
     const std::string known = known_walls(assembly);
@@ -68,17 +69,17 @@ HeatedFaces faces_of(const Assembly& assembly, const std::string& section, const
   return {std::make_shared<std::vector<WallFace>>(found->second), found->second, true};
 }
 
-std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::string& name,
+std::vector<std::int32_t> select_conducting(const Assembly& assembly, const std::string& owner,
                                             const Region& region) {
   const Specimen& specimen = assembly.specimen();
-  std::vector<std::int32_t> elements = select_some(assembly.selections, name, region, specimen);
+  std::vector<std::int32_t> elements = select_some(owner, region, specimen);
   const std::vector<int> neighbours = ways_of_heat(assembly);
   const bool all_alone = std::all_of(elements.begin(), elements.end(), [&](std::int32_t e) {
     return neighbours[static_cast<std::size_t>(e)] == 0;
   });
   if (all_alone)
-    throw InputError(name + ": none of the " + std::to_string(elements.size()) +
-                     " elements of its region has a neighbour to pass heat to, " +
+    throw InputError(owner + " region: none of its " + std::to_string(elements.size()) +
+                     " elements has a neighbour to pass heat to, " +
                      place(specimen, static_cast<std::size_t>(elements[0])) +
                      " for one; expected a larger region, [bonds] tolerance = 0.05, or law = "
                      "\"voronoi\"");

@@ -19,9 +19,9 @@ namespace solidem {
 HeatedFaces faces_of(const Assembly& assembly, const std::string& section, const std::string& name,
                      const std::string& wall, const Region& region = {});
 
-/// The elements of a region, entered under a name. Throws InputError when there are none, or when
-/// none of them conducts.
-std::vector<std::int32_t> select_conducting(Assembly& assembly, const std::string& selection,
+/// The elements of a region. Throws InputError that begins with its owner when there are none, or
+/// when none of them conducts.
+std::vector<std::int32_t> select_conducting(const Assembly& assembly, const std::string& owner,
                                             const Region& region);
 
 /// 1 for each element that can pass heat on, 0 for the others.

@@ -104,8 +104,10 @@ void finish_source(const Section& section, ReadSource& p) {
 std::vector<ElementValue> volumes_of(const HeatSourceParameters& source, Assembly& assembly) {
   std::vector<ElementValue> volumes;
   const std::vector<double> takes = which_conduct(assembly);
-  for (const std::int32_t e :
-       select_conducting(assembly, "heat_source." + source.name, *source.region)) {
+  const std::vector<std::int32_t> elements =
+      select_conducting(assembly, "[[heat_sources]] \"" + source.name + "\"", *source.region);
+  assembly.selections["heat_source." + source.name] = elements;
+  for (const std::int32_t e : elements) {
     const auto i = static_cast<std::size_t>(e);
     volumes.push_back({e, takes[i] * assembly.geometry.volume[i]});
   }
@@ -119,7 +121,7 @@ std::unique_ptr<HeatSpread> spread_of(const HeatSourceParameters& source, Assemb
                   [shape](const Polyhedron& solid, const Vector& position) {
                     return volume_inside(solid, shape, position);
                   }};
-  check_images(assembly, "[[heat_sources]] \"" + source.name + "\": shape", part);
+  check_images(assembly, "[[heat_sources]] \"" + source.name + "\" shape", part);
   const Domain& domain = assembly.specimen().domain;
   const auto [lower, upper] = HeatSpread::swept(part, source.position, domain);
   std::vector<CellSolid> solids = heat_solids(assembly, lower, upper);

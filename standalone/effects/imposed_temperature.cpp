@@ -64,7 +64,8 @@ std::unique_ptr<Effect> make_held_wall(const ImposedTemperatureParameters& impos
 std::unique_ptr<Effect> make_held_elements(const ImposedTemperatureParameters& imposed,
                                            Assembly& assembly) {
   std::vector<std::int32_t> elements =
-      select_conducting(assembly, "temperature." + imposed.name, imposed.region);
+      select_conducting(assembly, "[[temperatures]] \"" + imposed.name + "\"", imposed.region);
+  assembly.selections["temperature." + imposed.name] = elements;
   assembly.claim("[[temperatures]]", imposed.name, elements);
   return std::make_unique<ImposedTemperature>(imposed, std::move(elements),
                                               assembly.need<Conduction>(), assembly.model);

@@ -3,6 +3,7 @@
 // [[initial_velocities]]: what moves when a run begins. Nothing acts in its steps.
 #include "effects/initial_velocities.hpp"
 #include "effects/effect_kind.hpp"
+#include "effects/selections.hpp"
 #include "keys/rules.hpp"
 
 namespace solidem {
@@ -30,8 +31,10 @@ void set_velocity(Model& model, std::size_t i, int axis, double v) {
 
 void start_moving(const Setup& setup, Model& model) {
   const Domain& domain = model.specimen().domain;
-  for (const InitialVelocity& initial : setup.all<InitialVelocity>())
-    for (const std::int32_t e : select(initial.region, model.specimen())) {
+  std::size_t number = 0;
+  for (const InitialVelocity& initial : setup.all<InitialVelocity>()) {
+    const std::string owner = "[[initial_velocities]] " + std::to_string(++number);
+    for (const std::int32_t e : select_some(owner, initial.region, model.specimen())) {
       const auto i = static_cast<std::size_t>(e);
       const Vector from_middle = model.specimen().position[i] - 0.5 * (domain.lower + domain.upper);
       for (int axis = 0; axis < 3; ++axis)
@@ -39,6 +42,7 @@ void start_moving(const Setup& setup, Model& model) {
                      component(initial.velocity, axis) +
                          component(initial.stretching, axis) * component(from_middle, axis));
     }
+  }
 }
 
 }  // namespace

@@ -26,13 +26,21 @@ std::string bounds(const Specimen& specimen) {
          ", " + text(high.y) + ", " + text(high.z) + ") m";
 }
 
-std::vector<std::int32_t> select_some(Selections& selections, const std::string& name,
-                                      const Region& region, const Specimen& specimen) {
-  std::vector<std::int32_t> elements = select(region, specimen);
+std::vector<std::int32_t> select_for(const std::string& owner, const Region& region,
+                                     const Specimen& specimen) {
+  try {
+    return select(region, specimen);
+  } catch (const InputError& error) {
+    throw InputError(owner + " region: " + error.what());
+  }
+}
+
+std::vector<std::int32_t> select_some(const std::string& owner, const Region& region,
+                                      const Specimen& specimen) {
+  std::vector<std::int32_t> elements = select_for(owner, region, specimen);
   if (elements.empty())
-    throw InputError(name + ": its region holds no element; the specimen's centres lie between " +
+    throw InputError(owner + " region: holds no element; the specimen's centres lie between " +
                      bounds(specimen));
-  selections[name] = elements;
   return elements;
 }
 
@@ -54,18 +62,19 @@ std::vector<std::size_t> assign_materials(const std::vector<Material>& materials
   if (materials.size() == 1 && materials[0].region.kind == Region::Kind::all) return {};
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> material(specimen.size(), none);
-  for (std::size_t m = 0; m < materials.size(); ++m)
-    for (const std::int32_t e : select(materials[m].region, specimen)) {
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    const std::string owner = "[[material]] " + std::to_string(m + 1);
+    for (const std::int32_t e : select_for(owner, materials[m].region, specimen)) {
       const auto i = static_cast<std::size_t>(e);
       if (material[i] != none)
-        throw InputError("[[material]] " + place(specimen, i) +
-                         " lies in the regions of materials " + std::to_string(material[i] + 1) +
-                         " and " + std::to_string(m + 1) + "; each element must lie in one");
+        throw InputError(owner + " region: " + place(specimen, i) + " lies in that of material " +
+                         std::to_string(material[i] + 1) + ", too; each element must lie in one");
       material[i] = m;
     }
+  }
   for (std::size_t i = 0; i < specimen.size(); ++i)
     if (material[i] == none)
-      throw InputError("[[material]] " + place(specimen, i) +
+      throw InputError("[[material]] region: " + place(specimen, i) +
                        " lies in the region of no material; each element must lie in one");
   return material;
 }

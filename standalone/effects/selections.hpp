@@ -25,9 +25,14 @@ std::string place(const Specimen& specimen, std::size_t i);
 /// "(0, 0, 0) and (1, 1, 1) m", the bounds of the body.
 std::string bounds(const Specimen& specimen);
 
-/// The elements of a region, entered under a name. Throws InputError when there are none.
-std::vector<std::int32_t> select_some(Selections& selections, const std::string& name,
-                                      const Region& region, const Specimen& specimen);
+/// The elements of a region. Throws InputError that begins with its owner, `[[grips]] "left"`, when
+/// it names a set or a body that there is not.
+std::vector<std::int32_t> select_for(const std::string& owner, const Region& region,
+                                     const Specimen& specimen);
+
+/// The same; throws InputError when there are none, too.
+std::vector<std::int32_t> select_some(const std::string& owner, const Region& region,
+                                      const Specimen& specimen);
 
 /// Notes who holds which element. Throws InputError when another one holds it already.
 void claim(std::map<std::int32_t, std::string>& holders, const std::vector<std::int32_t>& elements,

@@ -244,16 +244,14 @@ class Search {
   /// The parameters that are sought: those of one law each.
   LinearHardening& hardening() {
     if (auto* law = std::get_if<LinearHardening>(&found_.bonds.plasticity->hardening)) return *law;
-    throw InputError(
-        "calibrate: the hardening of [plasticity] is \"" +
-        name_of(found_.bonds.plasticity->hardening) +
-        "\", but only that of the law \"linear\" can be found; expected that one, or no "
-        "target of yield or of peak stress");
+    throw InputError("[plasticity] hardening = \"" + name_of(found_.bonds.plasticity->hardening) +
+                     "\": only that of the law \"linear\" can be found; expected that one, or no "
+                     "target of yield or of peak stress");
   }
   StrainLimit& rupture() {
     if (auto* law = std::get_if<StrainLimit>(&found_.bonds.rupture->law)) return *law;
-    throw InputError("calibrate: the law of [rupture] is \"" + name_of(found_.bonds.rupture->law) +
-                     "\", but only the strain of \"strain-limit\" can be found; expected that one, "
+    throw InputError("[rupture] law = \"" + name_of(found_.bonds.rupture->law) +
+                     "\": only the strain of \"strain-limit\" can be found; expected that one, "
                      "or no target of rupture strain");
   }
 

@@ -47,7 +47,7 @@ void check_point(const Sensor& sensor, const Specimen& specimen) {
                             specimen.radius[i]);
   if (gap <= far * mean_radius(specimen)) return;
   const Vector& p = sensor.point;
-  throw InputError("[[sensors]] \"" + sensor.name + "\": point (" + text(p.x) + ", " + text(p.y) +
+  throw InputError("[[sensors]] \"" + sensor.name + "\" point: (" + text(p.x) + ", " + text(p.y) +
                    ", " + text(p.z) + ") m is " + text(gap) +
                    " m away from the nearest element; expected a point of the body, which lies "
                    "between " +

@@ -226,7 +226,11 @@ void Simulation::choose_time_step(bool force) {
         "counted with; look at the units of the material and of the bonds");
   choice.ratio = choice.value / choice.bound;
   if (choice.value > choice.limit && !force)
-    throw InputError("[run] time step " + text(choice.value) + " s is beyond the stable limit " +
+    throw InputError(std::string("[run]") +
+                     (run.time_step         ? " time_step:"
+                      : run.time_step_ratio ? " time_step_ratio:"
+                                            : "") +
+                     " the time step " + text(choice.value) + " s is beyond the stable limit " +
                      text(choice.limit) + " s (" + choice.criterion + ": " + text(choice.bound) +
                      " s); take a smaller one, or --force it");
   check_number_of_steps();

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "keys/nearest_name.hpp"
+#include "keys/place.hpp"
 #include "model/error.hpp"
 
 namespace solidem {
@@ -38,12 +39,18 @@ bool names_section(const std::string& label) {
   return !label.empty() && label.front() == '[' && label.find(' ') == std::string::npos;
 }
 
+}  // namespace
+
+std::string place_of(const toml::node& node, const std::string& file) {
+  const toml::source_region& source = node.source();
+  if (source.path && *source.path != file) return *source.path;
+  return file + (source.begin.line > 0 ? ":" + std::to_string(source.begin.line) : "");
+}
+
 bool is_array_of_tables(const toml::node& node) {
   const toml::array* array = node.as_array();
   return array != nullptr && array->is_homogeneous(toml::node_type::table);
 }
-
-}  // namespace
 
 const toml::node* Value::find(const std::string& key) const {
   const toml::table* table = node_.as_table();
@@ -77,11 +84,7 @@ std::vector<Value> Value::entries(int size, const std::string& expected) const {
 }
 
 std::string Value::place() const {
-  // What was given beside the file says itself where.
-  if (const toml::source_path_ptr& source = node_.source().path; source && *source != file_)
-    return *source + ": ";
-  const auto line = node_.source().begin.line;
-  return file_ + (line > 0 && !label_.empty() ? ":" + std::to_string(line) : "") + ": ";
+  return (label_.empty() ? file_ : place_of(node_, file_)) + ": ";
 }
 
 void Value::refuse(const std::string& problem, const std::string& expected) const {

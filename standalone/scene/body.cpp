@@ -20,7 +20,9 @@
 
 namespace solidem {
 
-Specimen make_body(const Scene& scene, const ReportProgress& progress) {
+namespace {
+
+Specimen body_of(const Scene& scene, const ReportProgress& progress) {
   Specimen specimen = scene.bodies.empty() ? make_specimen(scene.specimen, progress)
                                            : make_bodies(scene.bodies, progress);
   const bool from_file = scene.takes_file();
@@ -43,6 +45,12 @@ Specimen make_body(const Scene& scene, const ReportProgress& progress) {
     measure_specimen(specimen);
   }
   return specimen;
+}
+
+}  // namespace
+
+Specimen make_body(const Scene& scene, const ReportProgress& progress) {
+  return at_places_of(scene, [&] { return body_of(scene, progress); });
 }
 
 namespace {

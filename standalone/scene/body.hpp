@@ -8,7 +8,7 @@
 namespace solidem {
 
 /// The specimen that a scene asks for, with its bonds: those of [bonds] tolerance, else those of
-/// the specimen file, else of tolerance 0.
+/// the specimen file, else of tolerance 0. InputErrors name the place in the scene.
 Specimen make_body(const Scene& scene, const ReportProgress& progress = {});
 
 /// Writes everything that another code needs to run a scene: the specimen with bonds, the elements

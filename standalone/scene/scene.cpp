@@ -159,6 +159,7 @@ Scene read_scene(const SceneSource& source) {
     root.refuse("calibration", "there are several bodies", "one body, in a section [specimen]");
   check_effects(root);
   scene.record = std::move(*record);
+  scene.places = Places(file, path);
   return scene;
 }
 

@@ -10,6 +10,8 @@
 #include "effects/setup.hpp"
 #include "engine/calibration.hpp"
 #include "keys/record.hpp"
+#include "model/error.hpp"
+#include "scene/places.hpp"
 #include "solve/calibration/orthotropic_calibration.hpp"
 #include "specimen/bodies.hpp"
 
@@ -39,6 +41,7 @@ struct Scene {
   std::optional<CalibrationRequest> calibration;              ///< of [calibration]
   std::optional<OrthotropicRequest> orthotropic_calibration;  ///< of [calibration] with a grain
   Record record;                                              ///< of all that was read
+  Places places;                                              ///< of its sections and keys
 
   bool takes_file() const;  ///< whether the specimen, or one of the bodies, comes from a file
 };
@@ -46,6 +49,16 @@ struct Scene {
 /// Reads a scene. Strict: an unknown key, a wrong unit, a missing or an impossible value throws
 /// InputError with file, line, key, what was found and what is allowed.
 Scene read_scene(const SceneSource& source);
+
+/// Calls what works with things that a scene made: refusals get the place in the scene.
+template <class Call>
+auto at_places_of(const Scene& scene, const Call& call) {
+  try {
+    return call();
+  } catch (const InputError& error) {
+    throw InputError(scene.places.located(error.what()));
+  }
+}
 
 }  // namespace solidem
 

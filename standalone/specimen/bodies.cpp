@@ -50,19 +50,21 @@ std::pair<Vector, Vector> turned_extents(const Domain& domain, const Place& plac
 }
 
 Specimen make_one(const BodyRecipe& recipe, const ReportProgress& progress) {
+  const std::string name = "[[body]] \"" + recipe.name + "\"", alone = "[specimen]";
   try {
     return make_specimen(recipe.recipe, progress);
   } catch (const InputError& error) {
-    throw InputError("[[body]] \"" + recipe.name + "\": " + error.what());
+    const std::string words = error.what();
+    const bool is_of_recipe = words.compare(0, alone.size(), alone) == 0;
+    throw InputError(name + (is_of_recipe ? words.substr(alone.size()) : ": " + words));
   }
 }
 
 void append(Specimen& all, Outline& outline, const Specimen& one, const BodyRecipe& recipe) {
   if (one.domain.is_periodic())
-    throw InputError(
-        "[[body]] \"" + recipe.name +
-        "\": periodic: a body that repeats itself has no place beside others; expected "
-        "walls on all sides");
+    throw InputError("[[body]] \"" + recipe.name +
+                     "\" periodic: a body that repeats itself has no place beside others; expected "
+                     "walls on all sides");
   const Place place{recipe.turned, recipe.recipe.file.empty() ? recipe.recipe.origin : Vector{},
                     recipe.shift};
   const auto first = static_cast<std::int32_t>(all.size());
@@ -112,7 +114,7 @@ void link(Specimen& all, const std::vector<BodyRecipe>& recipes) {
                                       [&](const BodyRecipe& other) { return other.name == name; });
       if (found == recipes.end() || found->name == recipes[b].name)
         throw InputError(
-            fmt::format("[[body]] \"{}\": bonded_to \"{}\": expected the name of "
+            fmt::format("[[body]] \"{}\" bonded_to \"{}\": expected the name of "
                         "another body",
                         recipes[b].name, name));
       all.bodies[b].bonded_to.push_back(static_cast<std::int32_t>(found - recipes.begin()));

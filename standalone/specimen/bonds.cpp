@@ -24,10 +24,9 @@ void insist_on_single_images(const Specimen& specimen, double tolerance) {
     const double period = component(domain.upper - domain.lower, axis);
     if (!domain.periodic[axis] || period > 2.0 * longest) continue;
     throw InputError(fmt::format(
-        "the specimen is periodic along {} with a period of {:.3g} m, and bonds of tolerance {} "
-        "may "
-        "be {:.3g} m long: an element could be bonded with two images of another; the period must "
-        "be longer than {:.3g} m, or not periodic along this axis",
+        "[specimen] periodic along {} with a period of {:.3g} m, and bonds of tolerance {} may be "
+        "{:.3g} m long: an element could be bonded with two images of another; expected a period "
+        "above {:.3g} m, or walls along this axis",
         "xyz"[axis], period, tolerance, longest, 2.0 * longest));
   }
 }
@@ -37,7 +36,8 @@ void insist_on_single_images(const Specimen& specimen, double tolerance) {
 std::vector<Pair> find_bonds(const Specimen& specimen, double tolerance, BondImages images) {
   if (!(tolerance > -1.0) || !std::isfinite(tolerance))
     throw InputError(fmt::format(
-        "bond tolerance {}: expected a number above -1, such as 0 (touching) or 0.05", tolerance));
+        "[bonds] tolerance = {}: expected a number above -1, such as 0 (touching) or 0.05",
+        tolerance));
   if (specimen.size() == 0) return {};
   if (images == BondImages::one) insist_on_single_images(specimen, tolerance);
   const Domain& domain = specimen.domain;
@@ -84,12 +84,12 @@ bool is_fibre(const Specimen& specimen, Pair pair) {
 std::vector<Pair> find_fibres(const Specimen& specimen, const FibreRule& rule) {
   if (!(specimen.bond_tolerance > -1.0))
     throw InputError(
-        "fibres join elements beyond the tolerance of the bonds, and the specimen does not say "
-        "which tolerance made its bonds: expected [bonds] tolerance in the scene");
+        "[beams.fibres] join elements beyond the tolerance of the bonds, and the specimen does not "
+        "say which tolerance made its bonds: expected [bonds] tolerance in the scene");
   if (!(rule.reach > 1.0 + specimen.bond_tolerance) || !std::isfinite(rule.reach))
     throw InputError(
-        fmt::format("fibres of reach {}: bonds of tolerance {} reach as far; expected a reach "
-                    "above {}, such as 2",
+        fmt::format("[beams.fibres] reach = {}: bonds of tolerance {} reach as far; expected a "
+                    "reach above {}, such as 2",
                     rule.reach, specimen.bond_tolerance, 1.0 + specimen.bond_tolerance));
   std::vector<Pair> pairs = find_bonds(specimen, rule.reach - 1.0);
   const auto is_none = [&](const Pair& pair) {

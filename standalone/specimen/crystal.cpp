@@ -31,7 +31,7 @@ Lattice lattice_called(const std::string& name) {
     return {{2, 2 * std::sqrt(3.0), 4 * std::sqrt(2.0 / 3.0)},
             {{.25, 1. / 6, .25}, {.75, 4. / 6, .25}, {.75, 2. / 6, .75}, {.25, 5. / 6, .75}}};
   throw InputError(
-      fmt::format("specimen.lattice = \"{}\": expected simple_cubic, bcc, fcc or hcp", name));
+      fmt::format("[specimen] lattice = \"{}\": expected simple_cubic, bcc, fcc or hcp", name));
 }
 
 }  // namespace
@@ -41,17 +41,17 @@ Specimen make_crystal(const SpecimenRecipe& recipe) {
   const double radius = recipe.element_radius;
   if (!(radius > 0) || !std::isfinite(radius))
     throw InputError(
-        fmt::format("specimen.element_radius = {} m: expected a length above zero", radius));
+        fmt::format("[specimen] element_radius = {} m: expected a length above zero", radius));
   double elements = static_cast<double>(lattice.sites.size());
   for (const int count : recipe.cells) {
     if (count < 1)
-      throw InputError(fmt::format("specimen.cells = [{}, {}, {}]: expected three numbers ≥ 1",
+      throw InputError(fmt::format("[specimen] cells = [{}, {}, {}]: expected three numbers ≥ 1",
                                    recipe.cells[0], recipe.cells[1], recipe.cells[2]));
     elements *= count;
   }
   if (elements > 2147483647.0)
     throw InputError(fmt::format(
-        "specimen.cells = [{}, {}, {}] makes {:.3g} elements: at most 2147483647 can be numbered",
+        "[specimen] cells = [{}, {}, {}] makes {:.3g} elements: at most 2147483647 can be numbered",
         recipe.cells[0], recipe.cells[1], recipe.cells[2], elements));
 
   const Vector side = radius * lattice.side;

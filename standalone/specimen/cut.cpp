@@ -45,7 +45,7 @@ Vector middle_of(const Cut& cut) {
 }
 
 std::string called(std::size_t number) {
-  return fmt::format("cut {}", number + 1);
+  return fmt::format("[specimen] cut {}", number + 1);
 }
 
 void check_sides(const Domain& body, const Cut& cut, std::size_t number) {
@@ -71,9 +71,9 @@ void check_meshes_apart(const std::vector<Cut>& cuts) {
       const auto [from, to] = bounds(cuts[other].mesh->mesh());
       if (low.x < to.x && from.x < high.x && low.y < to.y && from.y < high.y && low.z < to.z &&
           from.z < high.z)
-        throw InputError(called(other) + " and " + called(k) +
-                         ": the boxes around two meshes overlap, and what both take would count "
-                         "twice: expected one mesh of both");
+        throw InputError(called(other) + ": the box around its mesh overlaps that of cut " +
+                         std::to_string(k + 1) +
+                         ", and what both take would count twice: expected one mesh of both");
     }
 }
 
@@ -91,7 +91,7 @@ double checked_volume(const Domain& body, const std::vector<Cut>& cuts, const Fa
   check_meshes_apart(cuts);
   const double left = volume_left(body, cuts, surface);
   if (!(left > least_volume * body.volume))
-    throw InputError("cut: the cuts leave nothing of the body: expected smaller ones");
+    throw InputError("[specimen] cut: the cuts leave nothing of the body: expected smaller ones");
   return left;
 }
 
@@ -131,7 +131,8 @@ std::vector<bool> outside_of(const Specimen& specimen, const std::vector<Cut>& c
   }
   if (std::none_of(stays.begin(), stays.end(), [](bool stay) { return stay; }))
     throw InputError(
-        "cut: no element has its centre in what the cuts leave: expected smaller cuts or smaller "
+        "[specimen] cut: no element has its centre in what the cuts leave: expected smaller cuts "
+        "or smaller "
         "elements");
   return stays;
 }
@@ -165,7 +166,7 @@ void cut_out(Specimen& specimen, const std::vector<Cut>& cuts,
   if (cuts.empty()) return;
   Domain& body = specimen.domain;
   if (body.cuts > 0 || (surface == nullptr && !body.has_walls()))
-    throw InputError("cut: the body of the file is " +
+    throw InputError("[specimen] cut: the body of the file is " +
                      (body.cuts > 0 ? std::string("cut already")
                                     : "a " + body.shape + ", of which no shape is known") +
                      ": expected a whole body of a known shape");

@@ -82,9 +82,9 @@ void insist_on_room(const Domain& domain, double width, double mean_radius,
   const double diameter = 2.0 * mean_radius * (1.0 + recipe.radius_spread);
   const std::string what =
       recipe.elements
-          ? fmt::format("specimen.elements = {} makes spheres up to {:.3g} m across",
+          ? fmt::format("[specimen] elements = {} makes spheres up to {:.3g} m across",
                         recipe.elements, diameter)
-          : fmt::format("specimen.mean_radius = {} m makes spheres up to {:.3g} m across",
+          : fmt::format("[specimen] mean_radius = {} m makes spheres up to {:.3g} m across",
                         recipe.mean_radius, diameter);
   const char* const remedy = recipe.elements ? "take more elements" : "take a smaller mean radius";
   if (diameter > width)
@@ -99,15 +99,15 @@ void insist_on_room(const Domain& domain, double width, double mean_radius,
 void check_recipe(const SpecimenRecipe& recipe) {
   if (recipe.elements < 0 || recipe.elements > 2147483647)
     throw InputError(
-        fmt::format("specimen.elements = {}: expected 1 to 2147483647", recipe.elements));
+        fmt::format("[specimen] elements = {}: expected 1 to 2147483647", recipe.elements));
   if (recipe.mean_radius != 0 && !(recipe.mean_radius > 0 && std::isfinite(recipe.mean_radius)))
-    throw InputError(fmt::format("specimen.mean_radius = {} m: expected a length above zero",
+    throw InputError(fmt::format("[specimen] mean_radius = {} m: expected a length above zero",
                                  recipe.mean_radius));
   if ((recipe.elements > 0) == (recipe.mean_radius > 0))
-    throw InputError("specimen: expected either elements or mean_radius, one of them");
+    throw InputError("[specimen]: expected either elements or mean_radius, one of them");
   if (!(recipe.radius_spread >= 0 && recipe.radius_spread <= 0.5))
     throw InputError(
-        fmt::format("specimen.radius_spread = {}: expected 0 to 0.5", recipe.radius_spread));
+        fmt::format("[specimen] radius_spread = {}: expected 0 to 0.5", recipe.radius_spread));
 }
 
 // A point of an annulus or wedge at least `margin` from its walls, as far as they leave room.
@@ -163,7 +163,7 @@ Vector random_point(const FacetTree& surface, double margin, Random& random) {
     if (surface.signed_distance(point) < -inset) return point;
   }
   throw InputError(
-      "specimen.mesh: its body fills less than a hundred-thousandth of the box around it, too "
+      "[specimen] mesh: its body fills less than a hundred-thousandth of the box around it, too "
       "little to be packed");
 }
 
@@ -243,7 +243,7 @@ Specimen make_packing(const SpecimenRecipe& recipe, const ReportProgress& progre
                         mean_sphere_volume(recipe.mean_radius, spread));
   if (!(wanted <= 2147483647.0))
     throw InputError(fmt::format(
-        "specimen.mean_radius = {} m makes {:.3g} elements: at most 2147483647 can be numbered{}",
+        "[specimen] mean_radius = {} m makes {:.3g} elements: at most 2147483647 can be numbered{}",
         recipe.mean_radius, wanted,
         surface != nullptr
             ? fmt::format(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "specimen/recipe.hpp"
 
+#include "model/error.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/crystal.hpp"
 #include "specimen/ordering.hpp"
@@ -22,11 +23,20 @@ std::optional<Domain> body_of(const SpecimenRecipe& recipe) {
   return body;
 }
 
+Specimen read_file_of(const SpecimenRecipe& recipe) {
+  const std::optional<Domain> body = body_of(recipe);
+  try {
+    return read_specimen(recipe.file, body);
+  } catch (const InputError& error) {
+    throw InputError(std::string("[specimen] file: ") + error.what());
+  }
+}
+
 }  // namespace
 
 Specimen make_specimen(const SpecimenRecipe& recipe, const ReportProgress& progress) {
   if (!recipe.file.empty()) {
-    Specimen specimen = read_specimen(recipe.file, body_of(recipe));
+    Specimen specimen = read_file_of(recipe);
     cut_out(specimen, recipe.cuts);
     return specimen;
   }

@@ -17,7 +17,7 @@ namespace {
 
 void insist_on_length(double value, const char* key) {
   if (!(value > 0) || !std::isfinite(value))
-    throw InputError(fmt::format("specimen.{} = {} m: expected a length above zero", key, value));
+    throw InputError(fmt::format("[specimen] {} = {} m: expected a length above zero", key, value));
 }
 
 // The part of a round body's bounding box across its axis, for an axis at the origin.
@@ -38,13 +38,13 @@ Domain round_body_of(const SpecimenRecipe& recipe) {
   if (hollow) insist_on_length(recipe.inner_radius, "inner_radius");
   if (hollow && !(recipe.inner_radius < recipe.radius))
     throw InputError(
-        fmt::format("specimen.inner_radius = {} m: expected a length below outer_radius = {} m",
+        fmt::format("[specimen] inner_radius = {} m: expected a length below outer_radius = {} m",
                     recipe.inner_radius, recipe.radius));
   if (wedge && !(recipe.angle > 0 && recipe.angle < pi))
-    throw InputError(fmt::format("specimen.angle = {} rad: expected an angle above 0 and below π",
+    throw InputError(fmt::format("[specimen] angle = {} rad: expected an angle above 0 and below π",
                                  recipe.angle));
   if (recipe.axis != "x" && recipe.axis != "y" && recipe.axis != "z")
-    throw InputError(fmt::format("specimen.axis = \"{}\": expected x, y or z", recipe.axis));
+    throw InputError(fmt::format("[specimen] axis = \"{}\": expected x, y or z", recipe.axis));
   Domain domain;
   domain.axis = recipe.axis[0] - 'x';
   domain.radius = recipe.radius;
@@ -57,9 +57,9 @@ Domain round_body_of(const SpecimenRecipe& recipe) {
   component(high, domain.axis) = recipe.length;
   for (int axis = 0; axis < 3; ++axis)
     if (axis != domain.axis && recipe.periodic[axis])
-      throw InputError(
-          fmt::format("specimen.periodic along {}: the {} can be periodic along its axis ({}) only",
-                      "xyz"[axis], recipe.shape, recipe.axis));
+      throw InputError(fmt::format(
+          "[specimen] periodic along {}: the {} can be periodic along its axis ({}) only",
+          "xyz"[axis], recipe.shape, recipe.axis));
   domain.lower = recipe.origin + low;
   domain.upper = recipe.origin + high;
   domain.volume =
@@ -70,7 +70,7 @@ Domain round_body_of(const SpecimenRecipe& recipe) {
 Domain sphere_of(const SpecimenRecipe& recipe) {
   insist_on_length(recipe.radius, "radius");
   for (const bool periodic : recipe.periodic)
-    if (periodic) throw InputError("specimen.periodic: a sphere has walls all round");
+    if (periodic) throw InputError("[specimen] periodic: a sphere has walls all round");
   Domain domain;
   const double R = recipe.radius;
   domain.radius = R;
@@ -97,9 +97,10 @@ Domain shape_of(const SpecimenRecipe& recipe) {
     domain.upper = recipe.origin + recipe.size;
     domain.volume = recipe.size.x * recipe.size.y * recipe.size.z;
   } else {
-    throw InputError(fmt::format(
-        "specimen.shape = \"{}\": expected box, plate, cylinder, annulus, wedge, sphere or crystal",
-        recipe.shape));
+    throw InputError(
+        fmt::format("[specimen] shape = \"{}\": expected box, plate, cylinder, annulus, wedge, "
+                    "sphere or crystal",
+                    recipe.shape));
   }
   domain.shape = recipe.shape;
   domain.periodic = recipe.periodic;

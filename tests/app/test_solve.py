@@ -173,7 +173,7 @@ def test_a_grip_that_holds_nothing_of_the_body_is_refused(solidem):
     (solidem.folder / "pieces.csv").write_text(chain_of(0, 2, 4, 6, 8, 14, 16, 18, 20))
     done = solidem("solve", solidem.scene("scene.toml", PIECES), "-o", "out")
     assert done.returncode == 2
-    assert 'grip "high"' in done.stderr and "5 of 9 elements" in done.stderr
+    assert '[[grips]] "high"' in done.stderr and "5 of 9 elements" in done.stderr
     assert not (solidem.folder / "out").exists()
 
 

@@ -137,7 +137,7 @@ TEST(Bodies, WithinTheRangeOfCentralForcesAreRefused) {
 TEST(Bodies, ThatRepeatThemselvesAreRefused) {
   std::vector<BodyRecipe> recipes = two_blocks(1);
   recipes[0].recipe.periodic = {true, false, false};
-  EXPECT_NE(complaint_of(recipes).find("\"low\": periodic"), std::string::npos);
+  EXPECT_NE(complaint_of(recipes).find("\"low\" periodic"), std::string::npos);
 }
 
 TEST(Bodies, AreChosenByRegions) {

@@ -275,7 +275,7 @@ TEST(Packing, RefusesIncompleteAndImpossibleRecipes) {
   recipe.mean_radius = 1e-4;
   expect_refusal(recipe, "either elements or mean_radius");
   recipe = cube(-5);
-  expect_refusal(recipe, "specimen.elements = -5");
+  expect_refusal(recipe, "[specimen] elements = -5");
   recipe = cube(100);
   recipe.shape = "pyramid";
   expect_refusal(recipe, "\"pyramid\"");
@@ -295,7 +295,7 @@ TEST(Packing, RefusesIncompleteAndImpossibleRecipes) {
   recipe.radius_spread = 0.1;
   recipe.length = recipe.radius = 1e-3;
   recipe.axis = "q";
-  expect_refusal(recipe, "specimen.axis");
+  expect_refusal(recipe, "[specimen] axis");
   recipe.axis = "x";
   recipe.periodic = {false, true, false};
   expect_refusal(recipe, "along its axis");
@@ -303,13 +303,13 @@ TEST(Packing, RefusesIncompleteAndImpossibleRecipes) {
   recipe.inner_radius = recipe.radius;
   expect_refusal(recipe, "below outer_radius");
   recipe.inner_radius = 0;
-  expect_refusal(recipe, "specimen.inner_radius = 0 m");
+  expect_refusal(recipe, "[specimen] inner_radius = 0 m");
   recipe = ring("annulus", "x");
   recipe.inner_radius = 1.19e-3;
   expect_refusal(recipe, "take more elements");
   recipe = ring("wedge", "z");
   recipe.angle = 3.2;
-  expect_refusal(recipe, "specimen.angle = 3.2 rad");
+  expect_refusal(recipe, "[specimen] angle = 3.2 rad");
   recipe.angle = 0.01;
   expect_refusal(recipe, "take more elements");
 }

@@ -211,10 +211,11 @@ OrthotropicCalibration calibrate_orthotropic(
     const std::vector<Specimen>& specimens,
     const std::function<void(const OrthotropicTrial&)>& tell) {
   if (!start.anisotropy)
-    throw InputError("nothing has a grain; expected a section [beams.anisotropy]");
+    throw InputError("[calibration] nothing has a grain; expected a section [beams.anisotropy]");
   if (std::none_of(request.target.begin(), request.target.end(),
                    [](const auto& target) { return target.has_value(); }))
-    throw InputError("no target is given; expected young_moduli, shear_moduli or poisson_ratios");
+    throw InputError(
+        "[calibration] no target is given; expected young_moduli, shear_moduli or poisson_ratios");
   const OrthotropicSearch search(request, start, specimens);
   OrthotropicCalibration result{};
   const auto note = [&](const Evaluation& evaluation) {

@@ -57,7 +57,7 @@ Vector times(const Matrix3& matrix, const Vector& v) {
 void insist_on_periodicity(const Domain& domain) {
   if (domain.periodic[0] && domain.periodic[1] && domain.periodic[2]) return;
   throw InputError(
-      "elastic constants are those of a periodic cell; expected [specimen] periodic = [true, true, "
+      "[specimen] periodic: elastic constants are those of a periodic cell; expected [true, true, "
       "true]");
 }
 
@@ -74,7 +74,7 @@ EffectiveStiffness effective_stiffness(const BeamNetwork& network, const GrainAx
                                        const EffectiveStiffness* guess) {
   insist_on_periodicity(network.specimen->domain);
   if (network.bonds.empty())
-    throw InputError("the body has no bonds; expected a larger [bonds] tolerance");
+    throw InputError("[bonds] tolerance: the body has no bonds; expected a larger one");
   EffectiveStiffness result{};
   result.axes = axes;
   const std::array<Vector, 3> frame = triad(axes);
