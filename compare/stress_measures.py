@@ -13,7 +13,7 @@ from compare.result import CodeFailure, Floats
 from compare.row import Measured, Plot, Series
 from compare.runs import View
 
-IN_PLANE = {0: "xx", 1: "xy", 3: "yy"}  #: places of the plane's stresses among the six
+IN_PLANE = {0: "xx", 1: "yy", 3: "xy"}  #: places of the plane's stresses among the six
 
 
 @dataclass(frozen=True)

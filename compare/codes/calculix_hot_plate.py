@@ -102,7 +102,7 @@ def job_text(plate: HotPlate, mesh: QuadraticMesh) -> str:
 
 
 def read_stresses(path: Path, bricks: int) -> Floats:
-    """(B, 6) mean stress of each brick, Pa: xx xy xz yy yz zz; CodeFailure.
+    """(B, 6) mean stress of each brick, Pa: xx yy zz xy yz xz; CodeFailure.
 
     The eight points of a reduced brick count alike.
     """
@@ -112,7 +112,7 @@ def read_stresses(path: Path, bricks: int) -> Floats:
         points = rows[:, 2:].reshape(bricks, 8, 6)
     except (OSError, ValueError, IndexError) as error:
         raise CodeFailure(f"calculix wrote no usable stresses: {error!r}") from error
-    mean: Floats = points.mean(axis=1)[:, [0, 3, 4, 1, 5, 2]]
+    mean: Floats = points.mean(axis=1)[:, [0, 1, 2, 3, 5, 4]]
     return mean
 
 

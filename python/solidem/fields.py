@@ -16,7 +16,7 @@ Array = npt.NDArray[Any]
 COMPONENTS = {
     3: ("x", "y", "z"),
     4: ("w", "x", "y", "z"),
-    6: ("xx", "xy", "xz", "yy", "yz", "zz"),
+    6: ("xx", "yy", "zz", "xy", "yz", "xz"),
     9: ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"),
 }
 

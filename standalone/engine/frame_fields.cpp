@@ -77,9 +77,9 @@ void append(Numbers& values, const Vector& v) {
   values.insert(values.end(), {v.x, v.y, v.z});
 }
 
-/// xx xy xz yy yz zz, as XDMF orders a symmetric tensor.
+/// xx yy zz xy yz xz, as VTK orders a symmetric tensor, and hence ParaView calls its components.
 void append_symmetric(Numbers& values, const Eigen::Matrix3d& t) {
-  values.insert(values.end(), {t(0, 0), t(0, 1), t(0, 2), t(1, 1), t(1, 2), t(2, 2)});
+  values.insert(values.end(), {t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2)});
 }
 
 Numbers displacement(Scenery& scenery) {
@@ -225,7 +225,7 @@ const std::vector<FieldKind>& kinds() {
        false,
        rotation,
        orientation},
-      {{"stress", "virial stress, tension positive: xx xy xz yy yz zz, Pa"},
+      {{"stress", "virial stress, tension positive: xx yy zz xy yz xz, Pa"},
        "stress",
        6,
        false,
@@ -250,7 +250,7 @@ const std::vector<FieldKind>& kinds() {
        false,
        motion,
        deformation_gradient},
-      {{"strain", "Green–Lagrange strain ½ (FᵀF − 1): xx xy xz yy yz zz"},
+      {{"strain", "Green–Lagrange strain ½ (FᵀF − 1): xx yy zz xy yz xz"},
        "strain",
        6,
        false,

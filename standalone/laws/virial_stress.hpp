@@ -12,19 +12,19 @@
 
 namespace solidem {
 
-/// As XDMF orders a symmetric tensor.
+/// In the order of VTK.
 template <class Real>
 struct SymmetricTensor {
-  Real xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
+  Real xx{}, yy{}, zz{}, xy{}, yz{}, xz{};
 
   friend constexpr SymmetricTensor operator*(const Real& s, const SymmetricTensor& a) {
-    return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz};
+    return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.yz, s * a.xz};
   }
   friend constexpr SymmetricTensor operator/(const SymmetricTensor& a, const Real& s) {
-    return {a.xx / s, a.xy / s, a.xz / s, a.yy / s, a.yz / s, a.zz / s};
+    return {a.xx / s, a.yy / s, a.zz / s, a.xy / s, a.yz / s, a.xz / s};
   }
   constexpr SymmetricTensor& operator+=(const SymmetricTensor& b) {
-    return *this = {xx + b.xx, xy + b.xy, xz + b.xz, yy + b.yy, yz + b.yz, zz + b.zz};
+    return *this = {xx + b.xx, yy + b.yy, zz + b.zz, xy + b.xy, yz + b.yz, xz + b.xz};
   }
 };
 
@@ -32,8 +32,12 @@ struct SymmetricTensor {
 template <class Real>
 constexpr SymmetricTensor<Real> virial_of_force(const Vector3<Real>& f, const Vector3<Real>& a) {
   const Real half{0.5};
-  return {f.x * a.x, half * (f.x * a.y + f.y * a.x), half * (f.z * a.x + f.x * a.z),
-          f.y * a.y, half * (f.y * a.z + f.z * a.y), f.z * a.z};
+  return {f.x * a.x,
+          f.y * a.y,
+          f.z * a.z,
+          half * (f.x * a.y + f.y * a.x),
+          half * (f.y * a.z + f.z * a.y),
+          half * (f.z * a.x + f.x * a.z)};
 }
 
 /// What a pair adds to V σ of each of its two elements. `force`: on the one, `chord`: from there to

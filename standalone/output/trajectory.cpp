@@ -330,7 +330,6 @@ std::string TrajectoryWriter::xdmf_of(const Frame& frame) const {
     if (field.of_bonds && lines_ == 0) continue;  // there is nothing to draw them on
     const char* const type = field.components == 1   ? "Scalar"
                              : field.components == 3 ? "Vector"
-                             : field.components == 6 ? "Tensor6"
                              : field.components == 9 ? "Tensor"
                                                      : "Matrix";
     attributes += fmt::format(

@@ -88,11 +88,10 @@ TEST(StressOfContacts, OfLooseGrainsBetweenPlatensIsForceOverArea) {
   simulation.advance(6000);
   ASSERT_EQ(seen(simulation, "contacts"), 2 * 3 * 5 + 3 * 2 * 5 + 3 * 3 * 4);
   const std::array<double, 6> stress = mean_stress(simulation);
-  const std::size_t diagonal[] = {0, 3, 5};
   for (int axis = 0; axis < 3; ++axis) {
     const double expected = pressure(simulation, axis);
     EXPECT_GT(expected, 1e4);
-    EXPECT_NEAR(-stress[diagonal[axis]] / expected, 1, 1e-6) << axis;
+    EXPECT_NEAR(-stress[static_cast<std::size_t>(axis)] / expected, 1, 1e-6) << axis;
   }
 }
 
@@ -117,7 +116,7 @@ TEST(StressOfContacts, GoesThroughABodyThatIsPartedAcrossAsIfItWereWhole) {
   EXPECT_EQ(seen(simulation, "contacts"), 9);
   const double expected = pressure(simulation, 2);
   EXPECT_GT(expected, 1e4);
-  EXPECT_NEAR(-mean_stress(simulation)[5] / expected, 1, 1e-6);
+  EXPECT_NEAR(-mean_stress(simulation)[2] / expected, 1, 1e-6);
   const double force = seen(simulation, "tool.z_high.force_z");
   EXPECT_NEAR(-seen(simulation, "gauge.stress") * body.domain.cross_section(2) / force, 1, 1e-6);
 }
