@@ -278,6 +278,10 @@ void ElementContacts::bond_anew(std::size_t k) {
   const double push = -dot(load_[k].force, history_[k].normal);
   if (!(push > *parameters_.rebonding_pressure * section(contact.pair, to))) return;
   const auto [i, j] = contact.pair;
+  const std::vector<double>& radius = model_.specimen().radius;
+  if (!may_be_bonded_anew(
+          norm(to), radius[static_cast<std::size_t>(i)] + radius[static_cast<std::size_t>(j)]))
+    return;
   // Where all places are taken they go on pushing.
   if (!model_.make_bond(contact.pair, norm(to))) return;
   lose_contact(k);

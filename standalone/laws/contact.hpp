@@ -39,6 +39,15 @@ constexpr Real contact_distance(const Real& rest_length, const Real& radii) {
   return contact_distance(rest_length, Real{0.0}, radii);
 }
 
+/// Whether a pair under pressure may be bonded anew: not where it is shorter than half of the sum
+/// of its radii. Each bond that is pressed until it breaks leaves the pair shorter, and the next
+/// one begins there free of load; without an end to this two elements would pass through each
+/// other.
+template <class Real>
+constexpr bool may_be_bonded_anew(const Real& length, const Real& radii) {
+  return length > Real{0.5} * radii;
+}
+
 /// Force on i, N; `stiffness` k in N/m, chord from i to j. A chord of length zero gives no force.
 template <class Real>
 constexpr Vector3<Real> contact_force(const Real& stiffness, const Real& distance,

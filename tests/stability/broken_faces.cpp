@@ -203,6 +203,26 @@ TEST(BrokenLips, that_break_while_pressed_go_on_pushing_without_new_energy) {
   }
 }
 
+TEST(Rebonding, ends_before_two_elements_are_ground_down_to_one_point) {
+  // Each bond breaks when pressed by a hundredth, and the next one begins there free of load.
+  const double l = 2 * hand_radius;
+  auto setup = led({0, -0.49 * l, -0.52 * l, -0.6 * l, -0.9 * l});
+  setup.get<ContactParameters>()->rebonding_pressure = stiffness * 0.002;
+  Simulation simulation(setup, row_of(2));
+  EXPECT_GT(pulled_with(simulation, 1), -0.02 * stiffness * section);
+  EXPECT_GT(seen(simulation, "bonds_formed"), 20);
+  pulled_with(simulation, 2);
+  const double formed = seen(simulation, "bonds_formed");
+  const double at_two_fifths = pulled_with(simulation, 3), at_a_tenth = pulled_with(simulation, 4);
+  EXPECT_EQ(seen(simulation, "bonds_formed"), formed);
+  EXPECT_EQ(seen(simulation, "contacts"), 1);
+  EXPECT_LT(at_two_fifths, -0.05 * stiffness * section);
+  // A spring from about half of the length on: four times as far is four times as hard.
+  EXPECT_NEAR(at_a_tenth / at_two_fifths, 4, 0.2);
+  // Two that only touch store what presses them.
+  EXPECT_NEAR(seen(simulation, "energy_balance"), 0, 1e-3 * seen(simulation, "external_work"));
+}
+
 TEST(Rebonding, needs_its_pressure_and_makes_a_bond_free_of_load) {
   const double l = 2 * hand_radius, depth = 0.002 * l;
   for (const double fraction : {0.9, 1.1}) {

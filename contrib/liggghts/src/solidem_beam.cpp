@@ -297,7 +297,9 @@ SolidemBondAction SolidemBeam::act_apart(double* memory, const SolidemBondEnds& 
   action.load.force = push.force;
   const double thickness = beam_radius(ends);
   const double strength = solidem::norm(push.force);
-  action.forms = strength > rebonding_pressure * M_PI * thickness * thickness;
+  action.forms =
+      strength > rebonding_pressure * M_PI * thickness * thickness &&
+      solidem::may_be_bonded_anew(solidem::norm(ends.chord), ends.radius_i + ends.radius_j);
   if (action.forms) {
     memory[Row::FLOW] = strength;
     make(memory, ends);
