@@ -10,6 +10,7 @@ import pytest
 
 from compare.references import (Layer, MovingDisc, bessel_j1, layers_temperature,
                                 moving_disc_temperature, rod_temperature, wedge_temperature)
+from compare.references.moving_disc import disc_fraction
 
 PLATE = MovingDisc(length=0.05, width=0.03, thickness=0.002, density=2790.0,
                    specific_heat_capacity=880.0, conductivity=134.0, initial_temperature=298.15,
@@ -60,7 +61,8 @@ def finite_volumes(plate: MovingDisc, cell: float, until: float) -> np.ndarray:
     heat = plate.power_density * step / (plate.density * plate.specific_heat_capacity)
     number = plate.diffusivity * step / cell**2
     for n in range(steps):
-        fraction = plate.fraction_heated((n + 0.5) * step, corner, corner + cell, lines=4)
+        centre = np.array([plate.start[0] + plate.speed * (n + 0.5) * step, plate.start[1]])
+        fraction = disc_fraction(corner - centre, corner + cell - centre, plate.disc_radius, lines=4)
         around = np.pad(temperature, 1, mode="edge")
         temperature = temperature + heat * fraction.reshape(shape) + number * (
             around[2:, 1:-1] + around[:-2, 1:-1] + around[1:-1, 2:] + around[1:-1, :-2]
