@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "effects/acting_effects.hpp"
 #include "effects/contact_heat.hpp"
 #include "effects/effect.hpp"
-#include "effects/acting_effects.hpp"
 #include "effects/tool_motion.hpp"
 #include "laws/linear_contact.hpp"
 #include "model/rigid_shape.hpp"

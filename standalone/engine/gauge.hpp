@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "effects/effect.hpp"
 #include "effects/acting_effects.hpp"
+#include "effects/effect.hpp"
 #include "effects/setup.hpp"
 
 namespace solidem {
