@@ -234,7 +234,8 @@ void declare_keys(CLI::App& app, Action& chosen) {
   add<Words>(
       app, chosen, "keys", "The sections of effects, their keys and defaults",
       [](CLI::App& command, Words& words) {
-        command.add_option("section", words.section, "of this section only");
+        command.add_option("section", words.section,
+                           "of this section only; 'fields': what [output] fields may name");
       },
       [](const Words& words) { return list_keys(words.section), 0; });
 }

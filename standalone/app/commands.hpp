@@ -84,7 +84,8 @@ struct LawPlotCommand {
 /// `solidem law plot`: force, stiffness and potential as CSV and SVG.
 void plot_laws(const LawPlotCommand& command);
 
-/// `solidem keys`: the sections of effects, their keys and defaults, as Markdown; "": of all.
+/// `solidem keys`: the sections of effects, their keys and defaults, and the fields of frames, as
+/// Markdown; "": of all.
 void list_keys(const std::string& section);
 
 /// The formats of specimens, their columns and units, to print.

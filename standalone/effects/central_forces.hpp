@@ -46,6 +46,7 @@ class CentralForces : public Mechanics {
   double mean_stiffness(const Model& /*model*/) const override { return mean_stiffness_; }
   double typical_energy(const Model& /*model*/) const override { return depth_; }
   bool releases_energy() const override { return true; }
+  bool lets_elements_meet() const override { return true; }
   void for_each_pair(const Model& model, const PairVisit& visit) const override;
   void finish_move(Model& model) override;
 

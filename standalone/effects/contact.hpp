@@ -54,6 +54,7 @@ class ElementContacts : public Effect, public ActsBetweenElements {
   }
   /// Those at the poses that were last looked at, friction too.
   void for_each_pair(const Model& model, const PairVisit& visit) const override;
+  bool lets_elements_meet() const override { return true; }
   /// Looks at the poses that a step has led to.
   void look(const Step& step);
   /// Forces of the contacts, their energy and their number.

@@ -30,6 +30,9 @@ class ActsBetweenElements {
 
   /// Calls visit once for each pair that acts.
   virtual void for_each_pair(const Model& model, const PairVisit& visit) const = 0;
+
+  /// Whether elements that no pair joins yet may meet by it.
+  virtual bool lets_elements_meet() const { return false; }
 };
 
 }  // namespace solidem

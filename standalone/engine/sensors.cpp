@@ -2,11 +2,11 @@
 #include "engine/sensors.hpp"
 
 #include <algorithm>
-#include <Eigen/QR>
 #include <limits>
 
 #include "effects/selections.hpp"
 #include "model/error.hpp"
+#include "model/least_squares.hpp"
 #include "model/periodic_image.hpp"
 
 namespace solidem {
@@ -80,8 +80,7 @@ std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
     linear.row(k) = weight[k] * Eigen::RowVector4d(1, d.x, d.y, d.z);
   }
   // The minimal solution also where the elements lie in a plane or on a line.
-  const Eigen::MatrixXd inverse =
-      linear.completeOrthogonalDecomposition().solve(Eigen::MatrixXd(weight.asDiagonal()));
+  const Eigen::MatrixXd inverse = least_squares(linear, weight.asDiagonal());
   for (Eigen::Index k = 0; k < rows; ++k) round[static_cast<std::size_t>(k)].value = inverse(0, k);
   return round;
 }

@@ -19,6 +19,7 @@
 #include "effects/mechanics.hpp"
 #include "engine/gauge.hpp"
 #include "engine/heat.hpp"
+#include "engine/leap.hpp"
 #include "engine/sensors.hpp"
 #include "engine/stability.hpp"
 #include "model/error.hpp"
@@ -333,7 +334,22 @@ double Simulation::check_stability() const {
                    text(motion.kinetic) + " J and " + text(motion.spent) +
                    " J went into plastic flow, but no more than " + text(*paid) +
                    " J were ever put in; " + step_and_limit);
+  check_leaps(at_step);
   return motion.put_in;
+}
+
+void Simulation::check_leaps(const std::string& at_step) const {
+  const auto actors = those_that_are<ActsBetweenElements>(effects_);
+  if (std::none_of(actors.begin(), actors.end(),
+                   [](const auto* actor) { return actor->lets_elements_meet(); }))
+    return;
+  const std::optional<Leap> leap = longest_leap(model_, time_step_.value);
+  if (!leap) return;
+  throw RunError("the run may not go on: " + at_step + "element " + std::to_string(leap->element) +
+                 " moves " + text(leap->radii) +
+                 " times its radius in a step, past others that it should meet; time step " +
+                 text(time_step_.value) + " s; expected one of at most " +
+                 text(time_step_.value / leap->radii) + " s, or a lower speed");
 }
 
 void Simulation::record_initial_energy() {

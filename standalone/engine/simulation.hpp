@@ -127,6 +127,8 @@ class Simulation {
   /// Throws RunError when the elements move with more energy than was ever put in, or are held more
   /// stiffly than the time step allows. What was put in so far, J.
   double check_stability() const;
+  /// Throws RunError when an element leaps past others that it should meet.
+  void check_leaps(const std::string& at_step) const;
   /// ½ m (v² − v₋·v₊) of all that moves, with its velocities half a step before and after, J.
   double swing_of(const ObservedMotion& motion) const;
   void step_once(const Step& step);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/displacement_gradient.hpp"
 
-#include <Eigen/QR>
+#include "model/least_squares.hpp"
 
 namespace solidem {
 
@@ -17,9 +17,7 @@ std::vector<Vector> gradient_weights(const Specimen& specimen,
   const Eigen::RowVector3d mean = place.colwise().mean();
   place.rowwise() -= mean;
   // The minimal solution also where the elements lie in a plane or on a line.
-  const Eigen::Matrix3d square = place.transpose() * place;
-  const Eigen::MatrixXd weights =
-      square.completeOrthogonalDecomposition().solve(Eigen::MatrixXd(place.transpose()));
+  const Eigen::MatrixXd weights = least_squares(place.transpose() * place, place.transpose());
   std::vector<Vector> found;
   for (Eigen::Index k = 0; k < count; ++k)
     found.push_back({weights(0, k), weights(1, k), weights(2, k)});

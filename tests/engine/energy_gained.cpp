@@ -26,12 +26,12 @@ std::optional<std::string> note_on_a_shot(double speed, double ratio) {
 }
 
 TEST(EnergyGained, is_told_where_steps_were_too_long) {
-  EXPECT_FALSE(note_on_a_shot(0, 0.3));
-  EXPECT_FALSE(note_on_a_shot(4e3, 0.3));
-  const auto note = note_on_a_shot(1.5e4, 0.3);
+  EXPECT_FALSE(note_on_a_shot(0, 0.5));
+  EXPECT_FALSE(note_on_a_shot(1e3, 0.5));
+  const auto note = note_on_a_shot(4.4e3, 0.5);
   ASSERT_TRUE(note);
   EXPECT_NE(note->find("came from nothing (energy_balance)"), std::string::npos) << *note;
-  EXPECT_FALSE(note_on_a_shot(1.5e4, 0.03));
+  EXPECT_FALSE(note_on_a_shot(4.4e3, 0.05));
 }
 
 TEST(EnergyGained, looks_at_gains_above_round_off_alone) {

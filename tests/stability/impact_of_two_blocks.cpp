@@ -55,7 +55,7 @@ TEST(ImpactOfTwoBlocks, with_too_large_a_step_is_refused_or_reported) {
   setup.run.time_step = 3 * Simulation(setup, two_blocks()).time_step().limit;
   EXPECT_THROW(Simulation(setup, two_blocks()), InputError);
   // The limit holds for the deepest overlap; this is beyond that of the body at rest.
-  setup.run.time_step = 12 * Simulation(impact(usual<Mie>()), two_blocks()).time_step().limit;
+  setup.run.time_step = 9 * Simulation(impact(usual<Mie>()), two_blocks()).time_step().limit;
   Simulation simulation(setup, two_blocks(), true);
   try {
     for (int n = 0; n < 200; ++n) simulation.advance(256);
