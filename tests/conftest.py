@@ -14,6 +14,9 @@ import pytest
 for name, value in (("btl", "self,vader"), ("pml", "ob1"), ("ess_singleton_isolated", "1")):
     os.environ.setdefault(f"OMPI_MCA_{name}", value)
 
+# Commands in Python call Debian's, as these tests do, whatever environment they are called from.
+os.environ.pop("VIRTUAL_ENV", None)
+
 
 @pytest.hookimpl(trylast=True)  # once those that are not asked for are gone
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
