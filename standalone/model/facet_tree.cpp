@@ -32,10 +32,6 @@ FacetTree::FacetTree(TriangleMesh mesh)
   for (const Facet& facet : mesh_.facets) {
     const Vector area = area_vector(mesh_, facet);
     normal_.push_back((1 / norm(area)) * area);
-    const auto corner = [&](std::size_t k) {
-      return mesh_.vertices[static_cast<std::size_t>(facet[k])];
-    };
-    corner_.push_back({corner(0), corner(1), corner(2)});
   }
   weigh_normals();
   note_facets_around();
@@ -103,11 +99,23 @@ void FacetTree::build(std::int32_t first, std::int32_t last, const std::vector<V
   nodes_[here].next = static_cast<std::int32_t>(nodes_.size());
 }
 
+double FacetTree::squared_distance(const Node& node, const Vector& point) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double p = component(point, axis);
+    const double out =
+        std::max({component(node.lower, axis) - p, p - component(node.upper, axis), 0.0});
+    sum += out * out;
+  }
+  return sum;
+}
+
 ClosestPoint FacetTree::closest_on(std::int32_t facet, const Vector& point) const {
   // The regions of the plane around a triangle, one after the other: C. Ericson, Real-Time
   // Collision Detection (2005), 5.1.5.
   using Part = ClosestPoint::Part;
-  const auto& [a, b, c] = corner_[static_cast<std::size_t>(facet)];
+  const Vector a = vertex_of(mesh_, facet, 0), b = vertex_of(mesh_, facet, 1),
+               c = vertex_of(mesh_, facet, 2);
   const auto at = [&](const Vector& position, Part part, int which) {
     return ClosestPoint{position, norm(point - position), facet, part, which};
   };

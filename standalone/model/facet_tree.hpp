@@ -9,8 +9,6 @@
 #ifndef SOLIDEM_MODEL_FACET_TREE_HPP
 #define SOLIDEM_MODEL_FACET_TREE_HPP
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -84,15 +82,7 @@ class FacetTree {
     Vector lower, upper;
     std::int32_t next, first, last;
   };
-  static double squared_distance(const Node& node, const Vector& point) {
-    const auto out = [](double low, double p, double high) {
-      return std::max(std::max(low - p, p - high), 0.0);
-    };
-    const double x = out(node.lower.x, point.x, node.upper.x),
-                 y = out(node.lower.y, point.y, node.upper.y),
-                 z = out(node.lower.z, point.z, node.upper.z);
-    return x * x + y * y + z * z;
-  }
+  static double squared_distance(const Node& node, const Vector& point);
   void build(std::int32_t first, std::int32_t last, const std::vector<Vector>& centres);
   void weigh_normals();
   void note_facets_around();
@@ -100,9 +90,8 @@ class FacetTree {
   TriangleMesh mesh_;
   bool closed_;
   std::vector<Facet> across_;
-  std::vector<std::array<Vector, 3>> corner_;  ///< of facets, side by side
-  std::vector<Vector> normal_;                 ///< of facets, unit
-  std::vector<Vector> vertex_normal_;          ///< weighted by angles
+  std::vector<Vector> normal_;         ///< of facets, unit
+  std::vector<Vector> vertex_normal_;  ///< weighted by angles
   std::vector<std::int32_t> around_first_, around_;
   std::vector<std::int32_t> order_;
   std::vector<Node> nodes_;
