@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The order of tests: files are handed out in it to the processes that run them (tests/run). And what
-hundreds of short runs of LIGGGHTS should not begin with."""
+"""The order of tests: files are handed out in it to the processes that run them (tests/run)."""
 
 from __future__ import annotations
 
@@ -8,11 +7,6 @@ import os
 from collections import Counter
 
 import pytest
-
-# Open MPI on one machine: no search for networks, and no daemon beside a single process. Half of a second
-# of the .6 that the shortest run takes.
-for name, value in (("btl", "self,vader"), ("pml", "ob1"), ("ess_singleton_isolated", "1")):
-    os.environ.setdefault(f"OMPI_MCA_{name}", value)
 
 # Commands in Python call Debian's, as these tests do, whatever environment they are called from.
 os.environ.pop("VIRTUAL_ENV", None)

@@ -15,6 +15,7 @@ import numpy as np
 
 from compare.codes.base import ROOT, Job, TwoSpheres, run_program, said_version
 from compare.codes.dump import read_dump, read_rows
+from compare.codes.open_mpi import ONE_MACHINE, one_process
 from compare.result import CodeFailure, Floats, Result
 from contrib.liggghts.contacts import full, has_contacts, tool_places, types_of
 from contrib.liggghts.export import (beam_lines, bond_words, bonds_of, central_lines,
@@ -202,8 +203,9 @@ class Liggghts:
         assert self.program is not None
         ranks = (["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(self.ranks)]
                  if self.ranks > 1 else [])
+        environment = ONE_MACHINE if self.ranks > 1 else one_process(directory)
         run_program([*ranks, self.program, "-in", "in.script"], directory, timeout,
-                    {"OMP_NUM_THREADS": "1"})
+                    {"OMP_NUM_THREADS": "1"} | environment)
         log = (directory / "output.log").read_text(errors="replace")
         found = re.findall(r"Loop time of (\S+) on", log)
         if not found:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from compare.codes.open_mpi import ONE_MACHINE, one_process
 
 CONTRIB = Path(__file__).resolve().parents[2] / "contrib" / "liggghts"
 
@@ -122,13 +123,14 @@ class Liggghts:
         """Runs a script in a folder; what LIGGGHTS printed. A failing run fails the test."""
         (folder / "in.script").write_text(script)
         command = ["stdbuf", "-oL", str(self.program), "-in", "in.script", "-log", "none"]
+        environment = one_process(folder)
         if ranks > 1:
             mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)]
-            command = mpirun + command
+            command, environment = mpirun + command, ONE_MACHINE
         done = subprocess.run(
             command,
             cwd=folder,
-            env={**os.environ, **self.environment},
+            env={**os.environ, **environment, **self.environment},
             capture_output=True,
             text=True,
             errors="replace",  # LIGGGHTS ends some error lines with stray bytes
