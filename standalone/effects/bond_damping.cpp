@@ -127,6 +127,7 @@ class BondDamping : public Effect {
   void advance(Model& model, const Step& step) override {
     const BeamMotion m = beams_.motion(model);
     double* taken = model.data(bond_damping_energy);
+    const Pushes pushes(model, step);
     for_blocks(model.slots().blocks(), 40, [&](std::size_t first, std::size_t last) {
       for (std::size_t block = first; block < last; ++block) {
         Sum sums[lanes] = {};
@@ -135,8 +136,8 @@ class BondDamping : public Effect {
           const std::size_t i = block * lanes + static_cast<std::size_t>(lane);
           if (i >= model.elements()) continue;
           taken[i] += 0.5 * step.kick * sums[lane].power;
-          push(model, step, static_cast<std::int32_t>(i), sums[lane].force);
-          if (m.has_rotation) twist(model, step, static_cast<std::int32_t>(i), sums[lane].moment);
+          pushes.push(i, sums[lane].force);
+          if (pushes.can_twist()) pushes.twist(i, sums[lane].moment);
         }
       }
     });

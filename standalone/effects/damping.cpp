@@ -84,11 +84,15 @@ class Damping : public Effect {
 
   void advance(Model& model, const Step& step) override {
     const std::size_t elements = model.elements();
+    const double* inverse_mass = model.data(columns::inverse_mass);
+    std::vector<Velocities> all;
+    for (const DampedMotion& motion : motions_) all.push_back(velocities(model, motion));
+    const Pushes pushes(model, step);
     for_blocks(model.slots().blocks(), least_blocks_moving,
                [&](std::size_t first, std::size_t last) {
                  for (std::size_t i = first * lanes; i < std::min(last * lanes, elements); ++i) {
-                   if (!(model.data(columns::inverse_mass)[i] > 0)) continue;
-                   for (const DampedMotion& motion : motions_) damp(model, step, motion, i);
+                   if (!(inverse_mass[i] > 0)) continue;
+                   for (const Velocities& of : all) damp(of, pushes, step.time_step, i);
                  }
                });
   }
@@ -121,43 +125,62 @@ class Damping : public Effect {
         }
   }
 
-  void damp(Model& model, const Step& step, const DampedMotion& motion, std::size_t i) const {
-    const double inertia = 1 / model.data(*motion.inverse_inertia)[i];
-    const std::size_t at = Model::at(*motion.velocity, i);
-    const Vector given = lanes_vector(model.data(*motion.velocity), at);
+  /// The columns of a motion, as a step finds them; null where nothing of that kind is damped.
+  struct Velocities {
+    double *now, *before;
+    const double* inverse_inertia;
+    bool turns;
+    double *viscous, *local;  ///< energy taken from each element, J
+  };
+  Velocities velocities(Model& model, const DampedMotion& motion) const {
+    const auto find = [&](const Column& column) {
+      return model.has(column) ? model.data(column) : nullptr;
+    };
+    return {model.data(*motion.velocity),
+            find(*motion.before),
+            model.data(*motion.inverse_inertia),
+            motion.velocity == rotation.velocity,
+            find(viscous_damping),
+            find(local_damping_energy)};
+  }
+
+  void damp(const Velocities& of, const Pushes& pushes, double time_step, std::size_t i) const {
+    const double inertia = 1 / of.inverse_inertia[i];
+    const std::size_t at = Model::at(columns::velocity, i);
+    const Vector given = lanes_vector(of.now, at);
     Vector moves = given;
     if (parameters_.local) {
-      const Vector before = lanes_vector(model.data(*motion.before), at);
+      const Vector before = lanes_vector(of.before, at);
       for (int axis = 0; axis < 3; ++axis)
         component(moves, axis) +=
             local_damping(*parameters_.local, component(before, axis), component(given, axis));
       // The work of the damping force in the middle of the kick.
-      model.data(local_damping_energy)[i] -= 0.5 * inertia * dot(moves - given, before + moves);
+      of.local[i] -= 0.5 * inertia * dot(moves - given, before + moves);
     }
-    if (parameters_.viscous) moves = slowed(model, inertia, step, i, moves);
+    if (parameters_.viscous) moves = slowed(of, inertia, time_step, i, moves);
     if (moves.x != given.x || moves.y != given.y || moves.z != given.z)
-      move(model, step, motion, i, moves - given, moves);
+      move(of, pushes, i, moves - given, moves);
     // The second half of viscous damping belongs to the time after the move.
-    const Vector stays = parameters_.viscous ? slowed(model, inertia, step, i, moves) : moves;
-    set_lanes_vector(model.data(*motion.velocity), at, stays);
-    if (parameters_.local) set_lanes_vector(model.data(*motion.before), at, stays);
+    const Vector stays = parameters_.viscous ? slowed(of, inertia, time_step, i, moves) : moves;
+    set_lanes_vector(of.now, at, stays);
+    if (parameters_.local) set_lanes_vector(of.before, at, stays);
   }
 
   /// A velocity after half a step of viscous damping, whose energy is entered.
-  Vector slowed(Model& model, double inertia, const Step& step, std::size_t i,
+  Vector slowed(const Velocities& of, double inertia, double time_step, std::size_t i,
                 const Vector& velocity) const {
-    const double left = viscous_decay(*parameters_.viscous, 0.5 * step.time_step);
-    model.data(viscous_damping)[i] += 0.5 * inertia * (1 - left * left) * dot(velocity, velocity);
+    const double left = viscous_decay(*parameters_.viscous, 0.5 * time_step);
+    of.viscous[i] += 0.5 * inertia * (1 - left * left) * dot(velocity, velocity);
     return left * velocity;
   }
 
-  static void move(Model& model, const Step& step, const DampedMotion& motion, std::size_t i,
-                   const Vector& gain, const Vector& velocity) {
-    if (motion.velocity == translation.velocity) {
-      for (int axis = 0; axis < 3; ++axis) kick(model, step, i, axis, component(gain, axis));
+  static void move(const Velocities& of, const Pushes& pushes, std::size_t i, const Vector& gain,
+                   const Vector& velocity) {
+    if (of.turns) {
+      pushes.turn(i, velocity);
       return;
     }
-    turn_on(model, step, i, velocity);
+    for (int axis = 0; axis < 3; ++axis) pushes.kick(i, axis, component(gain, axis));
   }
 
   /// Brings an observed velocity to what local damping leaves of it at the time of the pose; the

@@ -26,9 +26,8 @@ class Gravity : public Effect {
       : acceleration_(parameters.acceleration), mass_(mass) {}
 
   void advance(Model& model, const Step& step) override {
-    for_elements(model, [&](std::size_t i) {
-      push(model, step, static_cast<std::int32_t>(i), mass_[i] * acceleration_);
-    });
+    const Pushes pushes(model, step);
+    for_elements(model, [&](std::size_t i) { pushes.push(i, mass_[i] * acceleration_); });
   }
 
   void observe(const Model& model, Observation& observation) const override {

@@ -123,10 +123,10 @@ void Grip::advance(Model& model, const Step& step) {
     } else if (control.kind == AxisControl::Kind::force) {
       const double force = control.function(step.time), total_mass = present_mass(model);
       const double gain = force / total_mass * step.kick;
+      const Pushes pushes(model, step);
       for (std::size_t k = 0; k < elements_.size(); ++k) {
         if (!is_present(model, elements_[k])) continue;
-        const auto i = static_cast<std::size_t>(elements_[k]);
-        kick(model, step, i, axis, gain);
+        pushes.kick(static_cast<std::size_t>(elements_[k]), axis, gain);
       }
     }
   }

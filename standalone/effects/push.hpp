@@ -8,25 +8,6 @@
 
 namespace solidem {
 
-/// Changes the velocity of an element along an axis, m/s, in a step in which it has moved already:
-/// its new place follows, and so does the velocity that its neighbours feel.
-inline void kick(Model& model, const Step& step, std::size_t element, int axis, double gain) {
-  model.data(columns::velocity)[Model::at(columns::velocity, element, axis)] += gain;
-  model.next_positions()[element][axis] += step.time_step * gain;
-  if (model.has(columns::velocity_for_neighbours))
-    model.next(columns::velocity_for_neighbours)[4 * element + static_cast<std::size_t>(axis)] +=
-        gain;
-}
-
-/// A force, N, on an element through a step, besides that of its neighbours. An element that was
-/// removed stands still.
-inline void push(Model& model, const Step& step, std::int32_t element, const Vector& force) {
-  const auto i = static_cast<std::size_t>(element);
-  const double inverse_mass = model.data(columns::inverse_mass)[i];
-  for (int axis = 0; axis < 3; ++axis)
-    kick(model, step, i, axis, step.kick * inverse_mass * component(force, axis));
-}
-
 /// Turns an element from the orientation that holds, at an angular velocity, rad/s, through a step.
 inline void turn_on(const double* pose, double* next_pose, const Step& step, std::size_t element,
                     const Vector& angular_velocity) {
@@ -39,61 +20,63 @@ inline void turn_on(const double* pose, double* next_pose, const Step& step, std
   next[2] = turned.v.y;
   next[3] = turned.v.z;
 }
-inline void turn_on(Model& model, const Step& step, std::size_t element,
-                    const Vector& angular_velocity) {
-  turn_on(model.data(columns::pose), model.next(columns::pose), step, element, angular_velocity);
-}
 
-/// The same as push() for many elements that have an orientation, and moments, N·m, on them.
+/// What acts on elements besides their neighbours, in a step in which they have moved already:
+/// their new places follow, and so does the velocity that their neighbours feel. An element that
+/// was removed stands still.
 class Pushes {
  public:
   Pushes(Model& model, const Step& step)
       : step_(step),
-        pose_(model.data(columns::pose)),
-        next_pose_(model.next(columns::pose)),
+        next_(model.next_positions()),
         velocity_(model.data(columns::velocity)),
         inverse_mass_(model.data(columns::inverse_mass)),
-        spin_(find(model, columns::angular_velocity)),
-        inverse_inertia_(find(model, columns::inverse_inertia)) {}
-
-  void push(std::size_t element, const Vector& force) const {
-    const std::size_t at = Model::at(columns::velocity, element);
-    const Vector gain = (step_.kick * inverse_mass_[element]) * force;
-    set_lanes_vector(velocity_, at, lanes_vector(velocity_, at) + gain);
-    for (int axis = 0; axis < 3; ++axis)
-      next_pose_[8 * element + static_cast<std::size_t>(axis)] +=
-          step_.time_step * component(gain, axis);
+        felt_velocity_(model.has(columns::velocity_for_neighbours)
+                           ? model.next(columns::velocity_for_neighbours)
+                           : nullptr) {
+    if (!model.has(columns::angular_velocity)) return;
+    pose_ = model.data(columns::pose);
+    spin_ = model.data(columns::angular_velocity);
+    inverse_inertia_ = model.data(columns::inverse_inertia);
   }
-  /// Of elements that turn.
+
+  /// Whether elements turn.
+  bool can_twist() const { return spin_ != nullptr; }
+
+  /// Changes the velocity of an element along an axis, m/s.
+  void kick(std::size_t element, int axis, double gain) const {
+    velocity_[Model::at(columns::velocity, element, axis)] += gain;
+    next_[element][axis] += step_.time_step * gain;
+    if (felt_velocity_ != nullptr)
+      felt_velocity_[4 * element + static_cast<std::size_t>(axis)] += gain;
+  }
+  /// A force, N, through the step.
+  void push(std::size_t element, const Vector& force) const {
+    for (int axis = 0; axis < 3; ++axis)
+      kick(element, axis, step_.kick * inverse_mass_[element] * component(force, axis));
+  }
+  /// A moment, N·m, through the step, where elements turn.
   void twist(std::size_t element, const Vector& moment) const {
     const std::size_t at = Model::at(columns::angular_velocity, element);
     const Vector now = lanes_vector(spin_, at) + (step_.kick * inverse_inertia_[element]) * moment;
     set_lanes_vector(spin_, at, now);
-    turn_on(pose_, next_pose_, step_, element, now);
+    turn(element, now);
+  }
+  /// Turns an element from the orientation that holds, at an angular velocity, rad/s.
+  void turn(std::size_t element, const Vector& angular_velocity) const {
+    turn_on(pose_, next_.first, step_, element, angular_velocity);
   }
 
  private:
-  static double* find(Model& model, const Column& column) {
-    return model.has(column) ? model.data(column) : nullptr;
-  }
   Step step_;
-  const double* pose_;
-  double *next_pose_, *velocity_;
+  Model::Positions<double> next_;
+  double* velocity_;
   const double* inverse_mass_;
-  double* spin_;
-  const double* inverse_inertia_;
+  double* felt_velocity_;  ///< null: neighbours feel none
+  const double* pose_ = nullptr;
+  double* spin_ = nullptr;
+  const double* inverse_inertia_ = nullptr;
 };
-
-/// A moment, N·m, on an element that turns, through a step, besides those of its neighbours.
-inline void twist(Model& model, const Step& step, std::int32_t element, const Vector& moment) {
-  const auto i = static_cast<std::size_t>(element);
-  const std::size_t at = Model::at(columns::angular_velocity, i);
-  double* spin = model.data(columns::angular_velocity);
-  const Vector now =
-      lanes_vector(spin, at) + (step.kick * model.data(columns::inverse_inertia)[i]) * moment;
-  set_lanes_vector(spin, at, now);
-  turn_on(model, step, i, now);
-}
 
 /// What an observer sees of such a force: it acts, and has acted for as long as the velocities are
 /// behind the poses.

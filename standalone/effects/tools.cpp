@@ -32,18 +32,12 @@ Vector centre_of(const Model& model, std::size_t element) {
   return {row[0], row[1], row[2]};
 }
 
-/// Places of the step before, in rows like those of now: where those are kept once others hold.
-const double* rows_before(Model& model) {
-  return model.has(columns::last_pose) ? model.data(columns::last_pose)
-                                       : model.next(model.position_column());
-}
-
 /// The largest value of a function of elements, the same on any number of threads.
 template <class Value>
-double largest_of(const Model& model, const Value& value) {
+double largest_of(std::size_t elements, const Value& value) {
   double largest = 0;
   std::mutex gathering;
-  for_blocks(model.elements(), least_elements, [&](std::size_t first, std::size_t last) {
+  for_blocks(elements, least_elements, [&](std::size_t first, std::size_t last) {
     double mine = 0;
     for (std::size_t i = first; i < last; ++i) mine = std::max(mine, value(i));
     const std::lock_guard<std::mutex> lock(gathering);
@@ -69,8 +63,8 @@ Tool::Tool(std::string name, std::unique_ptr<RigidShape> shape, const RigidPose&
       stiffness_(stiffness),
       tangential_stiffness_(contact.friction > 0 ? contact.tangential_ratio * stiffness : 0),
       damping_ratio_(restitution_damping_ratio(contact.restitution)),
-      largest_inverse_mass_(
-          largest_of(model, [&](std::size_t i) { return model.data(columns::inverse_mass)[i]; })),
+      largest_inverse_mass_(largest_of(model.elements(), [of = model.data(columns::inverse_mass)](
+                                                             std::size_t i) { return of[i]; })),
       radius_(model.specimen().radius),
       skin_(0.5 * mean_radius(model.specimen())),
       watch_(2 * mean_radius(model.specimen())) {
@@ -111,11 +105,12 @@ void Tool::move(double time) {
 }
 
 void Tool::advance(Model& model, const Step& step) {
-  const bool turns = model.has(columns::angular_velocity);
+  const Pushes pushes(model, step);
   for (const Candidate& candidate : candidates_) {
     if (candidate.touches.empty()) continue;
-    push(model, step, candidate.element, candidate.force);
-    if (turns) twist(model, step, candidate.element, candidate.moment);
+    const auto i = static_cast<std::size_t>(candidate.element);
+    pushes.push(i, candidate.force);
+    if (pushes.can_twist()) pushes.twist(i, candidate.moment);
   }
   if (!motion_.drive) return;
   insist_on_stable_drive(step);
@@ -142,21 +137,31 @@ double Tool::moved_since_search() const {
          (motion_.turns() ? std::fabs(angle_ - listed_angle_) * listed_reach_ : 0);
 }
 
-bool Tool::must_search(const Model& model) {
+Tool::Elements Tool::elements_of(Model& model) {
+  const auto now = model.positions();
+  // Places of the step before are in rows like those of now: where those are kept once others hold.
+  const double* before = model.has(columns::last_pose) ? model.data(columns::last_pose)
+                                                       : model.next(model.position_column());
+  return {{now.first, now.components},
+          {before, now.components},
+          model.data(columns::velocity),
+          model.has(columns::angular_velocity) ? model.data(columns::angular_velocity) : nullptr,
+          model.data(columns::inverse_mass)};
+}
+
+bool Tool::must_search(const Elements& elements, std::size_t count) {
   if (!is_listed_) return true;
   const double of_tool = moved_since_search();
   const double left = skin_ - of_tool;
   if (left <= 0) return true;
-  const auto has_moved = [&](std::size_t i) {
-    return squared(centre_of(model, i) - listed_at_[i]);
-  };
+  const auto has_moved = [&](std::size_t i) { return squared(elements.centre(i) - listed_at_[i]); };
   for (const std::int32_t i : watched_)
     if (has_moved(static_cast<std::size_t>(i)) > left * left) return true;
   // Those beyond come near in no fewer steps than this, short of a fifth of a radius in each.
   constexpr int seldom = 8;
   if (++steps_since_look_ % seldom != 0) return false;
   const double allowed = 0.5 * watch_ - of_tool;
-  return largest_of(model, has_moved) > allowed * allowed;
+  return largest_of(count, has_moved) > allowed * allowed;
 }
 
 void Tool::search(const Model& model) {
@@ -196,7 +201,7 @@ void Tool::search(const Model& model) {
   listed_angle_ = angle_;
   if (motion_.turns()) {
     const Vector axis_point = motion_.rotation_point + displacement_;
-    const double of_body = std::sqrt(largest_of(model,
+    const double of_body = std::sqrt(largest_of(elements,
                                                 [&](std::size_t i) {
                                                   const double far =
                                                       norm(listed_at_[i] - axis_point) + radius_[i];
@@ -210,23 +215,20 @@ void Tool::search(const Model& model) {
   ++searches_;
 }
 
-Tool::Passer Tool::passer(Model& model, std::size_t element, bool is_held, double time_step) const {
-  const Vector centre = centre_of(model, element);
-  Passer at{{{}, {}, centre}, model.data(columns::inverse_mass)[element], is_held};
-  const bool turns = model.has(columns::angular_velocity);
+Tool::Passer Tool::passer(const Elements& elements, std::size_t element, bool is_held,
+                          double time_step) {
+  const Vector centre = elements.centre(element);
+  Passer at{{{}, {}, centre}, elements.inverse_mass[element], is_held};
   if (!is_held) {
     const std::size_t lane = Model::at(columns::velocity, element);
-    at.passage.velocity = lanes_vector(model.data(columns::velocity), lane);
-    if (turns)
-      at.passage.angular_velocity = lanes_vector(model.data(columns::angular_velocity), lane);
+    at.passage.velocity = lanes_vector(elements.velocity, lane);
+    if (elements.spin != nullptr) at.passage.angular_velocity = lanes_vector(elements.spin, lane);
     return at;
   }
   // What moves it is not in its velocity.
-  const auto components = static_cast<std::size_t>(model.position_column().components);
-  const double* before = rows_before(model) + components * element;
-  const double* now = model.positions()[element];
+  const double *before = elements.position_before[element], *now = elements.position[element];
   at.passage.velocity = (1 / time_step) * (centre - Vector{before[0], before[1], before[2]});
-  if (turns) {
+  if (elements.spin != nullptr) {
     const Quaternion<double> turned =
         Quaternion<double>{now[4], {now[5], now[6], now[7]}} *
         conjugate(Quaternion<double>{before[4], {before[5], before[6], before[7]}});
@@ -266,8 +268,9 @@ void Tool::press(const Passer& passer, const SurfacePoint& place, const Passage&
 
 void Tool::meet(const Passer& passer, const RigidPose& pose, const Passage& passage,
                 double time_step, Candidate& candidate) const {
-  std::vector<Touch> before = std::move(candidate.touches);
-  candidate.touches.clear();
+  thread_local std::vector<Touch> before;
+  before.clear();
+  before.swap(candidate.touches);
   candidate.force = candidate.moment = candidate.on_tool = {};
   candidate.virial = {};
   candidate.friction = candidate.damping = 0;
@@ -280,7 +283,7 @@ void Tool::meet(const Passer& passer, const RigidPose& pose, const Passage& pass
     for (const Touch& lost : before) candidate.damping += lost.stored;
     return;
   }
-  shape_->find_touching(pose.to_body(centre), radius, found);
+  shape_->find_touching(pose.to_body(centre), radius, candidate.near, found);
   for (SurfacePoint& place : found) {
     place.position = pose.to_world(place.position);
     place.normal = rotate(pose.orientation, place.normal);
@@ -311,17 +314,18 @@ void Tool::look(Model& model, const Step& step, const std::vector<char>& imposed
   const double turned = angle_ - angle_before;
   const Passage passage{per_step * way, (per_step * turned) * motion_.rotation_axis,
                         motion_.rotation_point + displacement_};
-  if (must_search(model)) search(model);
+  const Elements elements = elements_of(model);
+  if (must_search(elements, model.elements())) search(model);
   const RigidPose now = pose();
   const double of_tool = moved_since_search();
   const auto meet_one = [&](Candidate& candidate) {
     const auto i = static_cast<std::size_t>(candidate.element);
     const double left = candidate.gap - of_tool;
     const bool is_apart = candidate.touches.empty() && left > 0 &&
-                          squared(centre_of(model, i) - listed_at_[i]) < left * left;
+                          squared(elements.centre(i) - listed_at_[i]) < left * left;
     candidate.friction = candidate.damping = 0;
     if (is_apart) return;
-    meet(passer(model, i, imposed[i] != 0, step.time_step), now, passage, step.time_step,
+    meet(passer(elements, i, imposed[i] != 0, step.time_step), now, passage, step.time_step,
          candidate);
   };
   for_blocks(candidates_.size(), least_for_threads, [&](std::size_t first, std::size_t last) {

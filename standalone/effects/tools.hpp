@@ -94,6 +94,7 @@ class Tool : public Effect, public TouchesElements {
   struct Candidate {
     std::int32_t element = 0;
     double gap = 0;  ///< that tool and element must close before they touch, m
+    NearFacets near;
     std::vector<Touch> touches;
     Vector force{}, moment{};          ///< on the element, about its centre
     SymmetricTensor<double> virial{};  ///< Σ sym(force ⊗ lever from its centre), N·m
@@ -113,6 +114,17 @@ class Tool : public Effect, public TouchesElements {
       return velocity + cross(angular_velocity, place - point);
     }
   };
+  /// Columns of the elements, as they are at a look.
+  struct Elements {
+    Model::Positions<const double> position, position_before;
+    const double *velocity, *spin;  ///< spin: null where elements do not turn
+    const double* inverse_mass;
+
+    Vector centre(std::size_t element) const {
+      const double* row = position[element];
+      return {row[0], row[1], row[2]};
+    }
+  };
   /// An element after a step.
   struct Passer {
     Passage passage;  ///< of its centre
@@ -126,9 +138,11 @@ class Tool : public Effect, public TouchesElements {
   void move(double time);
   /// How far the tool may have moved, m, where elements are, since candidates were sought.
   double moved_since_search() const;
-  bool must_search(const Model& model);
+  bool must_search(const Elements& elements, std::size_t count);
   void search(const Model& model);
-  Passer passer(Model& model, std::size_t element, bool is_held, double time_step) const;
+  static Elements elements_of(Model& model);
+  static Passer passer(const Elements& elements, std::size_t element, bool is_held,
+                       double time_step);
   void meet(const Passer& passer, const RigidPose& pose, const Passage& passage, double time_step,
             Candidate& candidate) const;
   void press(const Passer& passer, const SurfacePoint& place, const Passage& passage,

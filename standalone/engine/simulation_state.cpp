@@ -118,10 +118,13 @@ void Simulation::restore(std::int64_t step,
   guard_.restore(number("largest_work"));
   const std::vector<double>& clock = kept("clock");
   if (clock.size() != 4 || has_nan(clock)) throw InputError("the checkpoint's clock does not fit");
-  time_ = clock[0];
-  last_length_ = clock[1];
-  origin_step_ = static_cast<std::int64_t>(clock[2]);
-  origin_time_ = clock[3];
+  restore_as("clock", [&] {
+    Archive then(clock, model_.elements());
+    then(time_, last_length_, origin_step_, origin_time_);
+    if (origin_step_ < 0 || origin_step_ > step)
+      throw std::out_of_range("steps are counted from " + std::to_string(origin_step_) +
+                              " on, of " + std::to_string(step));
+  });
   step_ = step;
 }
 

@@ -4,6 +4,7 @@
 #ifndef SOLIDEM_MODEL_RIGID_SHAPE_HPP
 #define SOLIDEM_MODEL_RIGID_SHAPE_HPP
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -18,6 +19,18 @@ struct SurfacePoint {
   double distance = 0;  ///< of the point from it, along the normal, m; negative inside
 };
 
+/// The facets that a ball may touch while its centre stays within a margin of where it was. Shapes
+/// that formulas describe need none.
+struct NearFacets {
+  struct Entry {
+    std::int32_t facet;
+    double distance;  ///< of the centre, m
+  };
+  std::vector<Entry> entries;
+  Vector centre{};     ///< m
+  double margin = -1;  ///< m; negative: nothing is known yet
+};
+
 /// A shape in axes of its own.
 class RigidShape {
  public:
@@ -28,7 +41,9 @@ class RigidShape {
 
   /// Adds the places where a ball touches the surface. On what is flat or bulges there is one, the
   /// closest; in a hollow one for each face that the ball rests on.
-  virtual void find_touching(const Vector& centre, double radius,
+  /// `near`: what is known of the surface about this ball, always of the same radius, from earlier
+  /// calls; made anew where the ball has left it. What is found does not depend on it.
+  virtual void find_touching(const Vector& centre, double radius, NearFacets& near,
                              std::vector<SurfacePoint>& found) const = 0;
   /// Distance of a point from the surface, m, negative inside; where it is beyond `reach` outside,
   /// anything beyond.

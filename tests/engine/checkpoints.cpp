@@ -82,6 +82,9 @@ TEST(Checkpoints, with_numbers_that_mean_nothing_are_refused_and_none_crashes) {
                    [](auto& values) { values[0] = std::numeric_limits<double>::quiet_NaN(); }),
             "");
   EXPECT_NE(spoilt("time_step", [](auto& values) { values.clear(); }), "");
+  constexpr std::size_t counted_from = 2;  // time, length of the last step, step and time of origin
+  for (const double wrong : {-1.0, 0.5, 11.0, 6e180})
+    EXPECT_NE(spoilt("clock", [&](auto& values) { values[counted_from] = wrong; }), "") << wrong;
   Saved less = saved;
   less.erase("column.pose");
   EXPECT_NE(refusal(setup, specimen, less), "");

@@ -12,7 +12,8 @@ namespace solidem::rigid_shape_test {
 
 std::vector<SurfacePoint> touching(const RigidShape& shape, const Vector& centre, double radius) {
   std::vector<SurfacePoint> found;
-  shape.find_touching(centre, radius, found);
+  NearFacets near;
+  shape.find_touching(centre, radius, near, found);
   return found;
 }
 
@@ -180,6 +181,30 @@ TEST(RigidShape, ABallThatLeavesAMeshAtItsEdgeRollsOverIt) {
   expect_near(at(5.4)[0].position, {5, 0.2, 0}, 1e-15);
   EXPECT_NEAR(at(5.4)[0].distance, std::sqrt(0.4 * 0.4 + 0.8 * 0.8), 1e-15);
   EXPECT_TRUE(at(5.7).empty());
+}
+
+TEST(RigidShape, WhatAWanderingBallKnowsOfAMeshChangesNothingThatItFinds) {
+  const auto mesh = mesh_shape(test::ball_mesh(0.8, 3));
+  std::mt19937 random(7);
+  const double radius = 0.15;
+  NearFacets near;
+  Vector centre{0.94, 0, 0};
+  std::size_t touched = 0;
+  for (int step = 0; step < 20000; ++step) {
+    // Small steps about the surface, now and then a leap.
+    centre += (step % 500 == 0 ? 30 : 1) * somewhere(random, 0.002);
+    centre = (0.94 / norm(centre)) * centre + somewhere(random, 0.01);
+    std::vector<SurfacePoint> found;
+    mesh->find_touching(centre, radius, near, found);
+    const auto afresh = touching(*mesh, centre, radius);
+    ASSERT_EQ(found.size(), afresh.size()) << "step " << step;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      ASSERT_EQ(found[k].distance, afresh[k].distance) << "step " << step;
+      ASSERT_EQ(norm(found[k].normal - afresh[k].normal), 0) << "step " << step;
+    }
+    touched += found.size();
+  }
+  EXPECT_GT(touched, 5000U);
 }
 
 TEST(RigidShape, WhatIsDrawnOfASolidEnclosesItsVolume) {

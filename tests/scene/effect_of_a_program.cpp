@@ -38,8 +38,9 @@ class UniformField : public Effect {
   void advance(Model& model, const Step& step) override {
     const auto before = model.positions(), after = model.next_positions();
     double* work = model.data(fall_work);
+    const Pushes pushes(model, step);
     for (std::size_t i = 0; i < model.elements(); ++i) {
-      push(model, step, static_cast<std::int32_t>(i), mass_[i] * field_);
+      pushes.push(i, mass_[i] * field_);
       const Vector moved{after[i][0] - before[i][0], after[i][1] - before[i][1],
                          after[i][2] - before[i][2]};
       work[i] += mass_[i] * dot(field_, moved);
