@@ -8,6 +8,9 @@
 
 #include <map>
 
+#include "effects/beam_parameters.hpp"
+#include "effects/conduction_parameters.hpp"
+#include "effects/initial_velocities.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "engine/simulation.hpp"
 #include "specimen/recipe.hpp"

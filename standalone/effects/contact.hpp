@@ -97,14 +97,8 @@ class ElementContacts : public Effect, public ActsBetweenElements {
 
   // Forces.
   double inverse_mass(const double* column, std::int32_t element) const;
-  /// Columns of the elements, as they are at a look.
-  struct Motion {
-    const double *velocity, *spin;  ///< spin: null where elements do not turn
-    const double *inverse_mass, *radius;
-    const double *pose, *pose_before;
-    double time_step;  ///< between the poses, s
-  };
-  void fill_row(const Motion& motion, std::int32_t element);
+  /// Gives an element along the axes that a grip moves the velocity between its last two poses.
+  void impose(double time_step, std::int32_t element);
   /// Lays the rows out that contacts read, a line of memory for each element: of all in the list,
   /// or of those whose pairs are picked where these are few.
   void fill_rows(double time_step, std::size_t picks);

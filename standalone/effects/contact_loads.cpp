@@ -21,42 +21,41 @@ const double* poses_before(Model& model) {
 
 }  // namespace
 
-void ElementContacts::fill_row(const Motion& motion, std::int32_t element) {
+void ElementContacts::impose(double time_step, std::int32_t element) {
   const auto i = static_cast<std::size_t>(element);
-  const std::size_t at = Model::at(columns::velocity, i);
-  Vector v = lanes_vector(motion.velocity, at);
-  if (!imposed_.empty() && motion.time_step > 0)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((imposed_[i] >> axis & 1) != 0)
-        component(v, static_cast<int>(axis)) =
-            (motion.pose[8 * i + axis] - motion.pose_before[8 * i + axis]) / motion.time_step;
-  const Vector w = motion.spin != nullptr ? lanes_vector(motion.spin, at) : Vector{};
-  const double row[] = {v.x, v.y, v.z, inverse_mass(motion.inverse_mass, element),
-                        w.x, w.y, w.z, motion.radius[i]};
-  std::copy_n(row, 8, rows_.data() + 8 * i);
+  if (imposed_[i] == 0) return;
+  const double *pose = model_.data(columns::pose), *before = poses_before(model_);
+  double* row = rows_.data() + 8 * i;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if ((imposed_[i] >> axis & 1) != 0 && time_step > 0)
+      row[axis] = (pose[8 * i + axis] - before[8 * i + axis]) / time_step;
+  row[3] = inverse_mass(model_.data(columns::inverse_mass), element);
 }
 
 void ElementContacts::fill_rows(double time_step, std::size_t picks) {
   if (rows_.size() == 0) rows_ = Buffer<double>(8 * model_.elements());
-  const Motion motion{model_.data(columns::velocity),
-                      has_rotation_ ? model_.data(columns::angular_velocity) : nullptr,
-                      model_.data(columns::inverse_mass),
-                      model_.specimen().radius.data(),
-                      model_.data(columns::pose),
-                      poses_before(model_),
-                      time_step};
+  const MotionRows motion{model_.data(columns::velocity),
+                          has_rotation_ ? model_.data(columns::angular_velocity) : nullptr,
+                          model_.data(columns::inverse_mass), model_.specimen().radius.data(),
+                          rows_.data()};
+  const auto fill = [&](const std::int32_t* element, std::size_t count) {
+    kernels().lay_out_motion(motion, element, count);
+    if (imposed_.empty()) return;
+    for (std::size_t n = 0; n < count; ++n) impose(time_step, element[n]);
+  };
   const std::vector<std::int32_t>& elements = list_.elements();
   if (picks < elements.size() / 4) {
     for_each_pick([&](std::size_t k) {
-      fill_row(motion, list_.candidates().pair(k).i);
-      fill_row(motion, list_.candidates().pair(k).j);
+      const Pair pair = list_.candidates().pair(k);
+      fill(&pair.i, 1);
+      fill(&pair.j, 1);
     });
     return;
   }
   for_blocks(elements.size() / elements_a_block + 1, 8, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first * elements_a_block;
-         n < std::min(elements.size(), last * elements_a_block); ++n)
-      fill_row(motion, elements[n]);
+    const std::size_t from = std::min(elements.size(), first * elements_a_block),
+                      to = std::min(elements.size(), last * elements_a_block);
+    fill(elements.data() + from, to - from);
   });
 }
 

@@ -261,6 +261,36 @@ struct Loose {
   }
 };
 
+TEST(LooseKernels, lay_out_what_contacts_read_of_whole_blocks_and_of_parts) {
+  // Two whole blocks, parts of two, and the last one, which is none.
+  std::vector<std::int32_t> some{3, 7, 8, 9, 10, 11, 12, 13, 14, 15, 20};
+  for (std::int32_t e = 64; e < 72; ++e) some.push_back(e);
+  for (std::int32_t e = 200; e < static_cast<std::int32_t>(elements); ++e) some.push_back(e);
+  const Loose from;
+  std::vector<double> radius(elements);
+  for (std::size_t e = 0; e < elements; ++e) radius[e] = 1 + std::sin(static_cast<double>(e));
+  for (const Kernels* kernels : usable_kernels())
+    for (const double* spin : {from.spin.data(), static_cast<const double*>(nullptr)}) {
+      SCOPED_TRACE(kernels->instruction_set);
+      Buffer<double> rows(8 * elements);
+      kernels->lay_out_motion(
+          {from.velocity.data(), spin, from.inverse_mass.data(), radius.data(), rows.data()},
+          some.data(), some.size());
+      std::size_t next = 0;
+      for (std::size_t e = 0; e < elements; ++e) {
+        const bool is_one = next < some.size() && some[next] == static_cast<std::int32_t>(e);
+        next += is_one ? 1 : 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          EXPECT_EQ(rows[8 * e + axis], is_one ? from.velocity[Loose::at(e) + axis * lanes] : 0);
+          EXPECT_EQ(rows[8 * e + 4 + axis],
+                    is_one && spin != nullptr ? spin[Loose::at(e) + axis * lanes] : 0);
+        }
+        EXPECT_EQ(rows[8 * e + 3], is_one ? from.inverse_mass[e] : 0);
+        EXPECT_EQ(rows[8 * e + 7], is_one ? radius[e] : 0);
+      }
+    }
+}
+
 TEST(LooseKernels, move_and_turn_elements_and_what_pushes_some_of_them_adds) {
   constexpr double step = 0.3, kick = 0.2;
   const std::vector<std::int32_t> some{0, 3, 4, 9, 17, 18, 40, 41, 42, 100, 202};

@@ -157,7 +157,47 @@ inline void prefetch(const ContactColumns& c, const PickedPairs& at) {
   return sums;
 }
 
+/// The rows of a block of lanes.
+inline void lay_out_block(const MotionRows& m, std::size_t block) {
+  for (int part = 0; part < lanes; part += width) {
+    const std::size_t first = lanes * block + static_cast<std::size_t>(part);
+    const double* velocity = m.velocity + 3 * lanes * block + part;
+    Row row{{Pack::load(velocity), Pack::load(velocity + lanes), Pack::load(velocity + 2 * lanes),
+             Pack::load(m.inverse_mass + first), Pack(0.0), Pack(0.0), Pack(0.0),
+             Pack::load_anywhere(m.radius + first)}};
+    if (m.spin != nullptr)
+      for (int axis = 0; axis < 3; ++axis)
+        row.component[4 + axis] =
+            Pack::load(m.spin + (3 * block + static_cast<std::size_t>(axis)) * lanes + part);
+    row.store(m.rows + 8 * first);
+  }
+}
+
+inline void lay_out_row(const MotionRows& m, std::size_t element) {
+  const std::size_t lane = 3 * lanes * (element / lanes) + element % lanes;
+  double* row = m.rows + 8 * element;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    row[axis] = m.velocity[lane + axis * lanes];
+    row[4 + axis] = m.spin != nullptr ? m.spin[lane + axis * lanes] : 0;
+  }
+  row[3] = m.inverse_mass[element];
+  row[7] = m.radius[element];
+}
+
 }  // namespace
+
+void lay_out_motion(const MotionRows& motion, const std::int32_t* element, std::size_t count) {
+  for (std::size_t n = 0; n < count;) {
+    const auto i = static_cast<std::size_t>(element[n]);
+    const bool is_whole_block =
+        i % lanes == 0 && n + lanes <= count && element[n + lanes - 1] == element[n] + lanes - 1;
+    if (is_whole_block)
+      lay_out_block(motion, i / lanes);
+    else
+      lay_out_row(motion, i);
+    n += is_whole_block ? lanes : 1;
+  }
+}
 
 void pick_contacts(const ContactColumns& c, std::size_t first, std::size_t last) {
   constexpr std::size_t size = ContactColumns::pairs_a_block;

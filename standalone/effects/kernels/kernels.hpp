@@ -162,6 +162,14 @@ struct ContactSums {
   std::size_t acting = 0;
 };
 
+/// Elements as contacts see them: a row of each, v, 1/m, ω, R, one line of memory.
+struct MotionRows {
+  const double* velocity;
+  const double* spin;  ///< null: elements do not turn
+  const double *inverse_mass, *radius;
+  double* rows;
+};
+
 /// Pairs of elements that may touch, in blocks. Columns of pairs are as long as there are pairs,
 /// and `lanes` more: these touch nothing, and what they are told is not kept.
 struct ContactColumns {
@@ -174,7 +182,7 @@ struct ContactColumns {
   const double* damping;                      ///< c_n, N·s/m
   const double *shift_x, *shift_y, *shift_z;  ///< m, of the image of j; null: nothing is periodic
   const double* pose;
-  const double* motion;               ///< of each element a row: v, 1/m, ω, R
+  const double* motion;               ///< MotionRows
   double tangential_stiffness_ratio;  ///< k_t / k_n
   double friction;                    ///< μ
   double time_step;                   ///< s, since the pose before
@@ -220,6 +228,8 @@ struct Kernels {
   void (*move_freely)(const FreeMotionColumns&, std::size_t first, std::size_t last);
   /// What loads change of velocities and of the poses that follow; of all elements at once.
   void (*push)(const PushedElements&);
+  /// Lays out the rows of some elements, in ascending order.
+  void (*lay_out_motion)(const MotionRows&, const std::int32_t* element, std::size_t count);
   /// Picks pairs of some blocks.
   void (*pick_contacts)(const ContactColumns&, std::size_t first, std::size_t last);
   /// Loads of those that are picked, and what they remember: laws/linear_contact.hpp.

@@ -12,6 +12,7 @@ namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
 void move_freely(const FreeMotionColumns& columns, std::size_t first, std::size_t last);
 void push(const PushedElements& pushed);
+void lay_out_motion(const MotionRows& motion, const std::int32_t* element, std::size_t count);
 void pick_contacts(const ContactColumns& columns, std::size_t first, std::size_t last);
 void find_contact_loads(const ContactColumns& columns, std::size_t first, std::size_t last);
 std::size_t sum_contact_loads(const ContactSides& sides, std::size_t first, std::size_t last,
