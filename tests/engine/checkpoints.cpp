@@ -8,6 +8,7 @@
 
 #include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
+#include "support/refusal.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem::checkpoints_test {
@@ -22,12 +23,7 @@ Setup breaking_setup() {
 
 std::string refusal(const Setup& setup, const Specimen& specimen, const Saved& saved) {
   Simulation simulation(setup, specimen);
-  try {
-    simulation.restore(10, saved);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { simulation.restore(10, saved); });
 }
 
 TEST(Checkpoints, know_the_whole_specimen_and_not_its_sums_alone) {

@@ -10,8 +10,8 @@
 #include "effects/conduction_parameters.hpp"
 #include "effects/heat_load_parameters.hpp"
 #include "engine/heat.hpp"
-#include "model/error.hpp"
 #include "support/heat.hpp"
+#include "support/refusal.hpp"
 
 namespace solidem::heat_laws_test {
 
@@ -281,12 +281,7 @@ TEST(BesideBeams, voronoi_cells_conduct_while_bonds_carry) {
 }
 
 std::string message_of(const Setup& setup, const Specimen& body) {
-  try {
-    Simulation simulation(setup, body);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { Simulation simulation(setup, body); });
 }
 
 TEST(BadInput, of_heat_loads_is_refused_with_what_would_be_right) {

@@ -6,6 +6,7 @@
 #include "engine/simulation.hpp"
 #include "scene/body.hpp"
 #include "scene/scene_text.hpp"
+#include "support/refusal.hpp"
 
 namespace solidem::test::bad_tools_test {
 
@@ -26,13 +27,10 @@ steps = 1
 
 /// What a scene with such a tool is refused for, in reading or in building.
 std::string refusal(const std::string& tool, const std::string& scene = body) {
-  try {
+  return test::refusal_of([&] {
     const Scene read = read_text_scene(scene + "[[tools]]\nname = \"one\"\n" + tool + "\n");
     const Simulation simulation(read.setup, make_body(read));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 void expect_refusal(const std::string& tool, const std::string& words,

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "keys/mesh_file.hpp"
-#include "model/error.hpp"
+#include "support/refusal.hpp"
 
 namespace solidem::mesh_files_test {
 
@@ -21,12 +21,7 @@ class MeshFiles : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   static std::string refusal(const std::string& path) {
-    try {
-      read_closed_mesh(path, 1);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of([&] { read_closed_mesh(path, 1); });
   }
 
   std::string folder_ = testing::TempDir() + "mesh_files";

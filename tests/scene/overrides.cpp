@@ -5,6 +5,7 @@
 
 #include "scene/fingerprint.hpp"
 #include "scene_text.hpp"
+#include "support/refusal.hpp"
 
 namespace solidem::test::overrides_test {
 
@@ -16,12 +17,7 @@ Scene read_with(const std::vector<std::string>& set) {
 }
 
 std::string complaint_with(const std::string& assignment) {
-  try {
-    read_with({assignment});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_with({assignment}); });
 }
 
 std::string complaint_head(const std::string& assignment, const std::string& rest) {

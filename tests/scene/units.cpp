@@ -4,17 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "model/error.hpp"
+#include "support/refusal.hpp"
 
 namespace solidem::units_test {
 
 std::string complaint(const std::string& quantity, const Dimension& dimension) {
-  try {
-    to_si(quantity, dimension);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { to_si(quantity, dimension); });
 }
 
 TEST(Units, ConvertToSi) {

@@ -17,6 +17,7 @@
 #include "specimen/ordering.hpp"
 #include "specimen/pieces.hpp"
 #include "specimen/specimen_file.hpp"
+#include "support/refusal.hpp"
 
 namespace solidem::bodies_test {
 
@@ -36,12 +37,7 @@ std::vector<BodyRecipe> two_blocks(double gap) {
 }
 
 std::string complaint_of(const std::vector<BodyRecipe>& recipes) {
-  try {
-    make_bodies(recipes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { make_bodies(recipes); });
 }
 
 TEST(Bodies, AreBondedWithinThemselvesAlone) {

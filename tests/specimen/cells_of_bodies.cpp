@@ -8,12 +8,12 @@
 #include <filesystem>
 
 #include "laws/constants.hpp"
-#include "model/error.hpp"
 #include "model/outline.hpp"
 #include "specimen/bodies.hpp"
 #include "specimen/ordering.hpp"
 #include "specimen/specimen_file.hpp"
 #include "specimen/tessellation.hpp"
+#include "support/refusal.hpp"
 
 namespace solidem::cells_of_bodies_test {
 
@@ -181,12 +181,7 @@ TEST(CellsOfBodies, AreKeptByAFile) {
 }
 
 std::string complaint_of(const Specimen& specimen) {
-  try {
-    tessellate(specimen);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { tessellate(specimen); });
 }
 
 TEST(CellsOfBodies, AreRefusedWhereABodyIsNotKnown) {

@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "laws/constants.hpp"
-#include "model/error.hpp"
 #include "specimen/bonds.hpp"
 #include "specimen/mesh_walls.hpp"
 #include "specimen/packing.hpp"
@@ -18,6 +17,7 @@
 #include "specimen/shape.hpp"
 #include "specimen/tessellation.hpp"
 #include "support/meshes.hpp"
+#include "support/refusal.hpp"
 
 namespace solidem::cuts_test {
 
@@ -253,12 +253,7 @@ TEST(Cuts, ThatCutABodyInTwoAreTold) {
 }
 
 std::string complaint_of(const SpecimenRecipe& recipe) {
-  try {
-    make_specimen(recipe);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { make_specimen(recipe); });
 }
 
 TEST(Cuts, ThatMakeNoSenseAreRefused) {
