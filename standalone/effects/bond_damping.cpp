@@ -237,9 +237,10 @@ class BondDamping : public Effect {
     constexpr int iterations = 60;
     const BeamMotion m = beams_.motion(const_cast<Model&>(model));
     std::vector<double> shape(8 * model.slots().padded_elements());
+    const double radius = mean_radius(model.specimen());
     for (std::size_t k = 0; k < shape.size(); ++k)
       if (k % 4 != 3 && (k % 8 < 4 || m.has_rotation))
-        shape[k] = pseudo_random(k) / (k % 8 < 4 ? 1.0 : mean_radius(model.specimen()));
+        shape[k] = pseudo_random(k) / (k % 8 < 4 ? 1.0 : radius);
     double rate = 0;
     for (int n = 0; n < iterations; ++n) {
       std::vector<double> answer(shape.size());

@@ -88,11 +88,13 @@ class Damping : public Effect {
     std::vector<Velocities> all;
     for (const DampedMotion& motion : motions_) all.push_back(velocities(model, motion));
     const Pushes pushes(model, step);
+    const double left =
+        parameters_.viscous ? viscous_decay(*parameters_.viscous, 0.5 * step.time_step) : 1;
     for_blocks(model.slots().blocks(), least_blocks_moving,
                [&](std::size_t first, std::size_t last) {
                  for (std::size_t i = first * lanes; i < std::min(last * lanes, elements); ++i) {
                    if (!(inverse_mass[i] > 0)) continue;
-                   for (const Velocities& of : all) damp(of, pushes, step.time_step, i);
+                   for (const Velocities& of : all) damp(of, pushes, left, i);
                  }
                });
   }
@@ -144,7 +146,8 @@ class Damping : public Effect {
             find(local_damping_energy)};
   }
 
-  void damp(const Velocities& of, const Pushes& pushes, double time_step, std::size_t i) const {
+  /// `left`: of a velocity after half a step of viscous damping.
+  void damp(const Velocities& of, const Pushes& pushes, double left, std::size_t i) const {
     const double inertia = 1 / of.inverse_inertia[i];
     const std::size_t at = Model::at(columns::velocity, i);
     const Vector given = lanes_vector(of.now, at);
@@ -157,19 +160,18 @@ class Damping : public Effect {
       // The work of the damping force in the middle of the kick.
       of.local[i] -= 0.5 * inertia * dot(moves - given, before + moves);
     }
-    if (parameters_.viscous) moves = slowed(of, inertia, time_step, i, moves);
+    if (parameters_.viscous) moves = slowed(of, inertia, left, i, moves);
     if (moves.x != given.x || moves.y != given.y || moves.z != given.z)
       move(of, pushes, i, moves - given, moves);
     // The second half of viscous damping belongs to the time after the move.
-    const Vector stays = parameters_.viscous ? slowed(of, inertia, time_step, i, moves) : moves;
+    const Vector stays = parameters_.viscous ? slowed(of, inertia, left, i, moves) : moves;
     set_lanes_vector(of.now, at, stays);
     if (parameters_.local) set_lanes_vector(of.before, at, stays);
   }
 
   /// A velocity after half a step of viscous damping, whose energy is entered.
-  Vector slowed(const Velocities& of, double inertia, double time_step, std::size_t i,
-                const Vector& velocity) const {
-    const double left = viscous_decay(*parameters_.viscous, 0.5 * time_step);
+  static Vector slowed(const Velocities& of, double inertia, double left, std::size_t i,
+                       const Vector& velocity) {
     of.viscous[i] += 0.5 * inertia * (1 - left * left) * dot(velocity, velocity);
     return left * velocity;
   }
