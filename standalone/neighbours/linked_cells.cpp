@@ -60,8 +60,8 @@ void LinkedCells::sort(const std::vector<Vector>& position) {
     residents_[next[cell_of_[i]]++] = {inside[i], static_cast<std::int32_t>(i)};
 }
 
-int LinkedCells::forward_neighbours(std::size_t cell,
-                                    std::array<std::size_t, 13>& neighbours) const {
+int LinkedCells::one_way_neighbours(std::size_t cell, int way,
+                                    std::array<CellImage, 13>& neighbours) const {
   const std::array<std::size_t, 3> here{cell % counts_[0], cell / counts_[0] % counts_[1],
                                         cell / (counts_[0] * counts_[1])};
   int found = 0;
@@ -71,24 +71,48 @@ int LinkedCells::forward_neighbours(std::size_t cell,
         // All nine of the layer above; in its own layer the row above and the next in the row.
         const bool forward = k > 0 || j > 0 || (j == 0 && i > 0);
         if (!forward) continue;
-        const std::array<int, 3> step{i, j, k};
+        const std::array<int, 3> step{way * i, way * j, way * k};
         std::array<std::size_t, 3> there{};
+        std::array<int, 3> periods{};
         bool exists = true;
         for (int axis = 0; axis < 3; ++axis) {
           const std::size_t count = counts_[axis];
-          if (step[axis] == 0)
-            there[axis] = here[axis];
-          else if (count == 1 ||
-                   (!box_.periodic[axis] && here[axis] == (step[axis] < 0 ? 0 : count - 1)))
-            exists = false;
-          else
-            there[axis] =
-                (here[axis] + count + static_cast<std::size_t>(step[axis] + 1) - 1) % count;
+          there[axis] = here[axis] + static_cast<std::size_t>(step[axis]);
+          if (step[axis] == 0 || there[axis] < count) continue;
+          // Beyond an end: below zero it wraps to the largest numbers.
+          exists = exists && count > 1 && box_.periodic[axis];
+          there[axis] = step[axis] > 0 ? 0 : count - 1;
+          periods[axis] = step[axis];
         }
         if (exists)
-          neighbours[found++] = (there[2] * counts_[1] + there[1]) * counts_[0] + there[0];
+          neighbours[found++] = {(there[2] * counts_[1] + there[1]) * counts_[0] + there[0],
+                                 periods};
       }
   return found;
+}
+
+std::size_t LinkedCells::find_cells_around(std::size_t cell,
+                                           std::array<CellImage, 27>& cells) const {
+  // Cells ask in the order of their numbers, and what asks this one stands before it, but for those
+  // across a period.
+  std::array<CellImage, 13> asking{}, asked{};
+  const int asking_count = one_way_neighbours(cell, -1, asking);
+  const int asked_count = one_way_neighbours(cell, 1, asked);
+  const auto asking_end = asking.begin() + asking_count;
+  std::sort(asking.begin(), asking_end,
+            [](const CellImage& a, const CellImage& b) { return a.cell < b.cell; });
+  const auto middle =
+      std::find_if(asking.begin(), asking_end, [&](const CellImage& a) { return a.cell > cell; });
+  auto to = std::copy(asking.begin(), middle, cells.begin());
+  *to++ = {cell, {0, 0, 0}};
+  to = std::copy(asked.begin(), asked.begin() + asked_count, to);
+  return static_cast<std::size_t>(std::copy(middle, asking_end, to) - cells.begin());
+}
+
+bool LinkedCells::is_own_neighbour() const {
+  for (int axis = 0; axis < 3; ++axis)
+    if (box_.periodic[axis] && counts_[axis] == 1) return true;
+  return false;
 }
 
 void LinkedCells::find_ranges_around(std::size_t cell, std::vector<Range>& ranges) const {

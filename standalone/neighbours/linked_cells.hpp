@@ -62,13 +62,26 @@ class LinkedCells {
   /// reach of one in this cell: those of the cell itself and of the cells around it.
   void find_ranges_around(std::size_t cell, std::vector<Range>& ranges) const;
 
+  /// A cell, or an image of it that is moved by so many periods along x, y, z.
+  struct CellImage {
+    std::size_t cell;
+    std::array<int, 3> periods;
+  };
+  /// The cell itself and those around it, each once, in the order in which for_each_pair comes to
+  /// the pairs of its residents with theirs. Replaces what is there; returns how many.
+  std::size_t find_cells_around(std::size_t cell, std::array<CellImage, 27>& cells) const;
+  /// Whether a cell is its own neighbour across a period.
+  bool is_own_neighbour() const;
+
+  /// From one point of the box to the nearest image of another.
+  Vector chord(const Vector& from, const Vector& to) const;
+
   /// Lengths of the box, m.
   const Vector& extent() const { return extent_; }
 
  private:
-  // The cells that `cell` asks, without itself, each once; how many there are.
-  int forward_neighbours(std::size_t cell, std::array<std::size_t, 13>& neighbours) const;
-  Vector chord(const Vector& from, const Vector& to) const;
+  // The cells that `cell` asks (way 1) or that ask it (−1), each once; how many there are.
+  int one_way_neighbours(std::size_t cell, int way, std::array<CellImage, 13>& neighbours) const;
 
   CellBox box_;
   double reach_ = 0;
@@ -105,16 +118,16 @@ inline Vector LinkedCells::chord(const Vector& from, const Vector& to) const {
 template <class Visit>
 void LinkedCells::for_each_pair(std::size_t first_cell, std::size_t last_cell,
                                 Visit&& visit) const {
-  std::array<std::size_t, 13> neighbours{};
+  std::array<CellImage, 13> neighbours{};
   for (std::size_t cell = first_cell; cell < last_cell; ++cell) {
     if (first_[cell] == first_[cell + 1]) continue;
-    const int neighbour_count = forward_neighbours(cell, neighbours);
+    const int neighbour_count = one_way_neighbours(cell, 1, neighbours);
     for (std::size_t a = first_[cell]; a < first_[cell + 1]; ++a) {
       const Resident& from = residents_[a];
       for (std::size_t b = a + 1; b < first_[cell + 1]; ++b)
         visit(from.element, residents_[b].element, chord(from.position, residents_[b].position));
       for (int k = 0; k < neighbour_count; ++k)
-        for (std::size_t b = first_[neighbours[k]]; b < first_[neighbours[k] + 1]; ++b)
+        for (std::size_t b = first_[neighbours[k].cell]; b < first_[neighbours[k].cell + 1]; ++b)
           visit(from.element, residents_[b].element, chord(from.position, residents_[b].position));
     }
   }

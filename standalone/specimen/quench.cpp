@@ -2,21 +2,26 @@
 #include "specimen/quench.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "model/blocks.hpp"
-#include "neighbours/linked_cells.hpp"
+#include "model/slots.hpp"
+#include "specimen/listed_spheres.hpp"
 #include "specimen/mesh_walls.hpp"
 
 namespace solidem {
 
 namespace {
 
-constexpr std::size_t block_size = 1024;
+// Blocks of eight spheres in a chunk of a sum: the sum is the same on any number of threads.
+constexpr std::size_t chunk = 128, least_chunks = 4;
+constexpr std::size_t least_spheres = 3000;  // below which one thread looks for walls
 
-std::size_t block_count(std::size_t elements) {
-  return (elements + block_size - 1) / block_size;
-}
+// Stands beside no sphere.
+constexpr double nowhere = 1e30;
 
 // FIRE's parameters. The largest step is .7 of the stable one of a sphere with a dozen contacts.
 // Steering and patience are four times its authors': that took 30 % fewer steps, near jamming
@@ -29,23 +34,39 @@ constexpr int patience = 20;
 
 SoftSpheres::SoftSpheres(const Domain& domain, std::vector<Vector> position,
                          std::vector<double> radius, const FacetTree* surface)
-    : domain_(domain), surface_(surface), extent_(domain.upper - domain.lower) {
-  for (const bool periodic : domain.periodic) any_periodic_ = any_periodic_ || periodic;
+    : domain_(domain),
+      surface_(surface),
+      size_(position.size()),
+      extent_(domain.upper - domain.lower) {
   if (domain.radius > 0) axis_point_ = domain.axis_point();
   if (domain.angle > 0) {
     const Vector first = domain.first_transverse(), second = domain.second_transverse();
     first_normal_ = -second;
     last_normal_ = std::cos(domain.angle) * second - std::sin(domain.angle) * first;
   }
-  ball_.resize(position.size());
-  for (std::size_t i = 0; i < ball_.size(); ++i) ball_[i] = {position[i], radius[i]};
-  velocity_.resize(ball_.size());
-  force_.resize(ball_.size());
+  // One more than there are at least: with it lists of neighbours are filled up.
+  const std::size_t padded = (size_ / lanes + 1) * lanes;
+  ball_ = Buffer<double>(4 * padded);
+  listed_ = Buffer<double>(4 * padded);
+  velocity_ = Buffer<double>(3 * padded);
+  force_ = Buffer<double>(3 * padded);
+  contact_force_ = Buffer<double>(padded);
+  contacts_ = Buffer<double>(padded);
+  for (std::size_t i = 0; i < padded; ++i) {
+    place(i, i < size_ ? position[i] : Vector{nowhere, nowhere, nowhere});
+    ball_[4 * i + 3] = i < size_ ? radius[i] : 0.0;
+  }
   build_lists();
 }
 
+void SoftSpheres::place(std::size_t i, const Vector& centre) {
+  ball_[4 * i] = centre.x;
+  ball_[4 * i + 1] = centre.y;
+  ball_[4 * i + 2] = centre.z;
+}
+
 void SoftSpheres::inflate(double factor) {
-  for (Ball& ball : ball_) ball.radius *= factor;
+  for (std::size_t i = 0; i < size_; ++i) ball_[4 * i + 3] *= factor;
   build_lists();
 }
 
@@ -71,127 +92,123 @@ Vector SoftSpheres::image_inside(Vector point) const {
 }
 
 void SoftSpheres::build_lists() {
-  const std::size_t n = ball_.size();
   double largest = 0, sum = 0;
-  listed_position_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    listed_position_[i] = ball_[i].centre = image_inside(ball_[i].centre);
-    largest = std::max(largest, ball_[i].radius);
-    sum += ball_[i].radius;
+  for (std::size_t i = 0; i < size_; ++i) {
+    place(i, image_inside(centre(i)));
+    largest = std::max(largest, radius(i));
+    sum += radius(i);
   }
-  mean_diameter_ = 2.0 * sum / static_cast<double>(n);
-  if (surface_ != nullptr) find_near_surface();
-  LinkedCells cells({domain_.lower, domain_.upper, domain_.periodic}, 2.0 * largest + skin_, n);
-  cells.sort(listed_position_);
-  const std::size_t cell_count = cells.cell_count();
-  const std::size_t blocks = std::min<std::size_t>(cell_count, 64);
-  std::vector<std::vector<Pair>> found(blocks);
-  for_each_part(blocks, n > 3000, [&](std::size_t block) {
-    const std::size_t first = cell_count * block / blocks;
-    const std::size_t last = cell_count * (block + 1) / blocks;
-    cells.for_each_pair(first, last, [&](std::int32_t i, std::int32_t j, const Vector& chord) {
-      const double reach = ball_[i].radius + ball_[j].radius + skin_;
-      if (dot(chord, chord) < reach * reach) found[block].push_back({i, j});
-    });
-  });
-  first_neighbour_.assign(n + 1, 0);
-  for (const auto& list : found)
-    for (const Pair& pair : list) {
-      ++first_neighbour_[pair.i + 1];
-      ++first_neighbour_[pair.j + 1];
-    }
-  for (std::size_t i = 0; i < n; ++i) first_neighbour_[i + 1] += first_neighbour_[i];
-  neighbour_.resize(static_cast<std::size_t>(first_neighbour_[n]));
-  std::vector<std::int32_t> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
-  for (const auto& list : found)
-    for (const Pair& pair : list) {
-      neighbour_[next[pair.i]++] = pair.j;
-      neighbour_[next[pair.j]++] = pair.i;
-    }
+  std::copy(ball_.begin(), ball_.end(), listed_.begin());
+  mean_diameter_ = 2.0 * sum / static_cast<double>(size_);
+  find_near_walls();
+  list_spheres({{domain_.lower, domain_.upper, domain_.periodic}, ball_.data(), size_, largest,
+                skin_, soft_sphere_kernels().pick_near},
+               first_row_, neighbour_);
 }
 
-void SoftSpheres::find_near_surface() {
-  is_near_surface_.resize(ball_.size());
-  for_blocks(ball_.size(), 3000, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      is_near_surface_[i] =
-          surface_->signed_distance(ball_[i].centre) > -(ball_[i].radius + skin_) ? 1 : 0;
+void SoftSpheres::find_near_walls() {
+  is_near_wall_.resize(size_);
+  for_blocks(size_, least_spheres, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const double reach = radius(i) + skin_;
+      const bool is_near = surface_ == nullptr ? may_reach_walls(centre(i), reach)
+                                               : surface_->signed_distance(centre(i)) > -reach;
+      is_near_wall_[i] = is_near ? 1 : 0;
+    }
   });
 }
 
-void SoftSpheres::wall_force(const Ball& ball, Vector& force) const {
+bool SoftSpheres::may_reach_walls(const Vector& centre, double reach) const {
+  const bool round = domain_.radius > 0;
+  Vector from_axis{};
+  bool reaches = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double x = component(centre, axis);
+    if (round && axis != domain_.axis)
+      component(from_axis, axis) = x - component(axis_point_, axis);
+    else if (!domain_.periodic[axis])
+      reaches = reaches || x - component(domain_.lower, axis) < reach ||
+                component(domain_.upper, axis) - x < reach;
+  }
+  if (!round) return reaches;
+  const double distance = norm(from_axis);
+  reaches = reaches || domain_.radius - distance < reach || distance - domain_.inner_radius < reach;
+  if (!(domain_.angle > 0)) return reaches;
+  return reaches || dot(first_normal_, from_axis) > -reach || dot(last_normal_, from_axis) > -reach;
+}
+
+void SoftSpheres::wall_force(const Vector& centre, double radius, Vector& force) const {
   const bool round = domain_.radius > 0;
   Vector from_axis{};
   for (int axis = 0; axis < 3; ++axis) {
-    const double x = component(ball.centre, axis);
+    const double x = component(centre, axis);
     const double low = component(domain_.lower, axis), high = component(domain_.upper, axis);
     if (round && axis != domain_.axis) {
       component(from_axis, axis) = x - component(axis_point_, axis);
     } else if (!domain_.periodic[axis]) {
       double& f = component(force, axis);
-      f += std::max(0.0, low + ball.radius - x);
-      f -= std::max(0.0, x - (high - ball.radius));
+      f += std::max(0.0, low + radius - x);
+      f -= std::max(0.0, x - (high - radius));
     }
   }
   if (!round) return;
   const double distance = norm(from_axis);
-  const double outside = distance + ball.radius - domain_.radius;
+  const double outside = distance + radius - domain_.radius;
   if (outside > 0 && distance > 0) force -= (outside / distance) * from_axis;
-  const double inside = domain_.inner_radius + ball.radius - distance;
+  const double inside = domain_.inner_radius + radius - distance;
   if (domain_.inner_radius > 0 && inside > 0 && distance > 0)
     force += (inside / distance) * from_axis;
   if (!(domain_.angle > 0)) return;
   for (const Vector& normal : {first_normal_, last_normal_})
-    force -= std::max(0.0, dot(normal, from_axis) + ball.radius) * normal;
+    force -= std::max(0.0, dot(normal, from_axis) + radius) * normal;
 }
 
-template <bool periodic>
-SoftSpheres::Sums SoftSpheres::forces_of_block(std::size_t first, std::size_t last) {
-  Sums sums;
+void SoftSpheres::add_walls(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
-    const Ball ball = ball_[i];
-    Vector force{};
-    double contact_force = 0;
-    std::int32_t contacts = 0;
-    for (std::int32_t k = first_neighbour_[i]; k < first_neighbour_[i + 1]; ++k) {
-      const Ball& other = ball_[neighbour_[k]];
-      Vector chord = ball.centre - other.centre;
-      if (periodic) chord = nearest_image(chord);
-      const double reach = ball.radius + other.radius;
-      const double depth = reach * reach - dot(chord, chord);
-      // Twice the depth, or 0 when they do not touch: compilers make a branch of a maximum, and
-      // whether a listed pair touches cannot be foretold.
-      const double push = depth + std::abs(depth);
-      force += push * chord;
-      contact_force += push;
-      contacts += depth > 0;
-    }
-    force = 0.0625 * force;
+    if (is_near_wall_[i] == 0) continue;
+    double* const at = force_.data() + 3 * lanes * (i / lanes) + i % lanes;
+    Vector force{at[0], at[lanes], at[2 * lanes]};
     if (surface_ == nullptr)
-      wall_force(ball, force);
-    else if (is_near_surface_[i] != 0)
-      force += push_of_walls(*surface_, ball.centre, ball.radius);
-    force_[i] = force;
-    sums.power += dot(force, velocity_[i]);
-    sums.force2 += dot(force, force);
-    sums.velocity2 += dot(velocity_[i], velocity_[i]);
-    sums.contact_force += 0.125 * contact_force;
-    sums.contacts += contacts;
+      wall_force(centre(i), radius(i), force);
+    else
+      force += push_of_walls(*surface_, centre(i), radius(i));
+    at[0] = force.x;
+    at[lanes] = force.y;
+    at[2 * lanes] = force.z;
   }
-  return sums;
+}
+
+SoftSphereColumns SoftSpheres::columns() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vector period{infinity, infinity, infinity};
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain_.periodic[axis]) component(period, axis) = component(extent_, axis);
+  return {first_row_.data(), neighbour_.data(), ball_.data(),          listed_.data(),
+          velocity_.data(),  force_.data(),     contact_force_.data(), contacts_.data(),
+          period,            domain_.is_periodic()};
+}
+
+// Calls work(chunk, first block, last block) for chunks of blocks, on all threads.
+template <class Work>
+void for_chunks(std::size_t blocks, const Work& work) {
+  for_blocks((blocks + chunk - 1) / chunk, least_chunks, [&](std::size_t from, std::size_t to) {
+    for (std::size_t c = from; c < to; ++c)
+      work(c, c * chunk, std::min((c + 1) * chunk, blocks));
+  });
 }
 
 void SoftSpheres::compute_forces() {
-  std::vector<Sums> partial(block_count(size()));
-  for_blocks(partial.size(), 4, [&](std::size_t from, std::size_t to) {
-    for (std::size_t block = from; block < to; ++block) {
-      const std::size_t first = block * block_size, last = std::min(first + block_size, size());
-      partial[block] =
-          any_periodic_ ? forces_of_block<true>(first, last) : forces_of_block<false>(first, last);
-    }
+  const std::size_t blocks = first_row_.size() - 1;
+  const SoftSphereColumns spheres = columns();
+  const SoftSphereKernels& kernels = soft_sphere_kernels();
+  std::vector<SoftSphereSums> partial(blocks / chunk + 1);
+  for_chunks(blocks, [&](std::size_t c, std::size_t first, std::size_t last) {
+    kernels.find_forces(spheres, first, last);
+    add_walls(first * lanes, std::min(last * lanes, size_));
+    kernels.add_up(spheres, first, last, partial[c]);
   });
   sums_ = {};
-  for (const Sums& s : partial) {
+  for (const SoftSphereSums& s : partial) {
     sums_.power += s.power;
     sums_.force2 += s.force2;
     sums_.velocity2 += s.velocity2;
@@ -203,27 +220,25 @@ void SoftSpheres::compute_forces() {
 // v ← keep v + steer F, then a step; returns the largest squared distance from where the lists were
 // made.
 double SoftSpheres::move(double time_step, double keep, double steer) {
-  std::vector<double> farthest2(block_count(size()), 0.0);
-  for_blocks(farthest2.size(), 4, [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from * block_size; i < std::min(to * block_size, size()); ++i) {
-      velocity_[i] = keep * velocity_[i] + (steer + time_step) * force_[i];
-      ball_[i].centre += time_step * velocity_[i];
-      const Vector moved = ball_[i].centre - listed_position_[i];
-      farthest2[from] = std::max(farthest2[from], dot(moved, moved));
-    }
+  const std::size_t blocks = first_row_.size() - 1;
+  const SoftSphereColumns spheres = columns();
+  std::vector<double> farthest2(blocks / chunk + 1, 0.0);
+  for_chunks(blocks, [&](std::size_t c, std::size_t first, std::size_t last) {
+    farthest2[c] =
+        soft_sphere_kernels().move(spheres, first, last, time_step, keep, steer + time_step);
   });
   return *std::max_element(farthest2.begin(), farthest2.end());
 }
 
 int SoftSpheres::relax(double precision, int most_steps,
                        const std::function<void(double)>& progress) {
-  std::fill(velocity_.begin(), velocity_.end(), Vector{});
+  std::fill(velocity_.begin(), velocity_.end(), 0.0);
   double time_step = start_step, steer = start_steer;
   int downhill = 0, listed = 0;
   compute_forces();
   double worst = 0;
   for (int step = 0; step < most_steps; ++step) {
-    const double contacts = std::max<double>(1.0, static_cast<double>(sums_.contacts));
+    const double contacts = std::max(1.0, sums_.contacts);
     const double mean_force = sums_.contact_force / contacts;
     const double unbalance =
         mean_force > 0 ? std::sqrt(sums_.force2 / static_cast<double>(size())) / mean_force : 0.0;
@@ -261,17 +276,17 @@ int SoftSpheres::relax(double precision, int most_steps,
 
 int SoftSpheres::separate_coinciding() {
   int found = 0;
-  for (std::size_t i = 0; i < size(); ++i)
-    for (std::int32_t k = first_neighbour_[i]; k < first_neighbour_[i + 1]; ++k) {
-      const auto j = static_cast<std::size_t>(neighbour_[k]);
-      if (j < i) continue;
-      const Vector chord = nearest_image(ball_[j].centre - ball_[i].centre);
-      const double distance = norm(chord), reach = ball_[i].radius + ball_[j].radius;
+  for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t row = first_row_[i / lanes]; row < first_row_[i / lanes + 1]; ++row) {
+      const auto j = static_cast<std::size_t>(neighbour_[row * lanes + i % lanes]);
+      if (j < i || j >= size_) continue;
+      const Vector chord = nearest_image(centre(j) - centre(i));
+      const double distance = norm(chord), reach = radius(i) + radius(j);
       if (distance > 0.25 * reach) continue;
       // To the distance at which they push each other most, half their reach.
       const Vector along = distance > 0 ? (1 / distance) * chord : Vector{1, 0, 0};
-      ball_[i].centre -= (0.25 * reach) * along;
-      ball_[j].centre += (0.25 * reach) * along;
+      place(i, centre(i) - (0.25 * reach) * along);
+      place(j, centre(j) + (0.25 * reach) * along);
       ++found;
     }
   if (found > 0) build_lists();
@@ -279,24 +294,22 @@ int SoftSpheres::separate_coinciding() {
 }
 
 double SoftSpheres::coordination_number() const {
-  return static_cast<double>(sums_.contacts) / static_cast<double>(size());
+  return sums_.contacts / static_cast<double>(size());
 }
 
 double SoftSpheres::mean_overlap() const {
-  return sums_.contacts
-             ? sums_.contact_force / (mean_diameter_ * static_cast<double>(sums_.contacts))
-             : 0.0;
+  return sums_.contacts > 0 ? sums_.contact_force / (mean_diameter_ * sums_.contacts) : 0.0;
 }
 
 std::vector<Vector> SoftSpheres::position() const {
   std::vector<Vector> result(size());
-  for (std::size_t i = 0; i < size(); ++i) result[i] = image_inside(ball_[i].centre);
+  for (std::size_t i = 0; i < size(); ++i) result[i] = image_inside(centre(i));
   return result;
 }
 
 std::vector<double> SoftSpheres::radius() const {
   std::vector<double> result(size());
-  for (std::size_t i = 0; i < size(); ++i) result[i] = ball_[i].radius;
+  for (std::size_t i = 0; i < size(); ++i) result[i] = radius(i);
   return result;
 }
 

@@ -14,8 +14,10 @@
 #include <functional>
 #include <vector>
 
+#include "model/buffer.hpp"
 #include "model/facet_tree.hpp"
 #include "model/specimen.hpp"
+#include "specimen/soft_sphere_kernels.hpp"
 
 namespace solidem {
 
@@ -46,42 +48,36 @@ class SoftSpheres {
   /// Centres, in periodic directions the image inside the body.
   std::vector<Vector> position() const;
   std::vector<double> radius() const;
-  std::size_t size() const { return ball_.size(); }
+  std::size_t size() const { return size_; }
 
  private:
-  struct Ball {
-    Vector centre;
-    double radius;
-  };
-  // Sums over all elements, by blocks.
-  struct Sums {
-    double power = 0, force2 = 0, velocity2 = 0;
-    double contact_force = 0;
-    std::int64_t contacts = 0;
-  };
-
   void build_lists();
+  void find_near_walls();
+  bool may_reach_walls(const Vector& centre, double reach) const;
   Vector image_inside(Vector point) const;
-  template <bool periodic>
-  Sums forces_of_block(std::size_t first, std::size_t last);
-  void wall_force(const Ball& ball, Vector& force) const;
-  void find_near_surface();
   Vector nearest_image(Vector d) const;
+  void add_walls(std::size_t first, std::size_t last);
+  void wall_force(const Vector& centre, double radius, Vector& force) const;
   void compute_forces();
   double move(double time_step, double keep, double steer);
+  SoftSphereColumns columns();
+
+  Vector centre(std::size_t i) const { return {ball_[4 * i], ball_[4 * i + 1], ball_[4 * i + 2]}; }
+  double radius(std::size_t i) const { return ball_[4 * i + 3]; }
+  void place(std::size_t i, const Vector& centre);
 
   Domain domain_;
   const FacetTree* surface_;
-  std::vector<char> is_near_surface_;  // of the lists: may reach a mesh before they are made anew
+  std::size_t size_;
   Vector extent_{};
   Vector axis_point_{}, first_normal_{}, last_normal_{};  // of round bodies; of a wedge, outward
-  bool any_periodic_ = false;
-  std::vector<Ball> ball_;
-  std::vector<Vector> velocity_, force_, listed_position_;
-  std::vector<std::int32_t> first_neighbour_, neighbour_;  // both sides of each listed pair
+  Buffer<double> ball_, velocity_, force_, listed_, contact_force_, contacts_;
+  std::vector<std::uint32_t> first_row_;
+  std::vector<std::int32_t> neighbour_;  // both sides of each listed pair
+  std::vector<char> is_near_wall_;       // of the lists: may reach one before they are made anew
   double mean_diameter_ = 2;
   double skin_ = 0.4;  // of the lists
-  Sums sums_;
+  SoftSphereSums sums_;
 };
 
 }  // namespace solidem

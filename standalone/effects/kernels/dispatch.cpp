@@ -59,4 +59,8 @@ const Kernels& kernels() {
   return chosen;
 }
 
+const SoftSphereKernels& soft_sphere_kernels() {
+  return kernels().soft_spheres;
+}
+
 }  // namespace solidem

@@ -27,6 +27,7 @@ const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET),
                       sum_contact_loads,
                       pick_near,
                       conduct,
-                      conducted_power_by_kind};
+                      conducted_power_by_kind,
+                      {find_soft_forces, add_up_soft_spheres, move_soft_spheres, pick_near}};
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET

@@ -13,6 +13,7 @@
 #include "laws/bond_limit.hpp"
 #include "laws/central_laws.hpp"
 #include "neighbours/neighbourhood.hpp"
+#include "specimen/soft_sphere_kernels.hpp"
 
 namespace solidem {
 
@@ -244,6 +245,8 @@ struct Kernels {
   void (*conduct)(const HeatFlow&, std::size_t first, std::size_t last);
   /// Power conducted into each element.
   void (*conducted_power)(const HeatPower&, std::size_t first, std::size_t last);
+  /// What packs spheres.
+  SoftSphereKernels soft_spheres;
 };
 
 /// The kernels that this machine can run, the best first.

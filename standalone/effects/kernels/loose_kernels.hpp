@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Kernels of elements that touch or that nothing joins, each in a source of its own: said in
-// kernels.hpp.
+// Kernels of elements that touch or that nothing joins, and of spheres that are packed, each in a
+// source of its own: said in kernels.hpp and specimen/soft_sphere_kernels.hpp.
 #ifndef SOLIDEM_EFFECTS_KERNELS_LOOSE_KERNELS_HPP
 #define SOLIDEM_EFFECTS_KERNELS_LOOSE_KERNELS_HPP
 
@@ -17,6 +17,11 @@ void pick_contacts(const ContactColumns& columns, std::size_t first, std::size_t
 void find_contact_loads(const ContactColumns& columns, std::size_t first, std::size_t last);
 std::size_t sum_contact_loads(const ContactSides& sides, std::size_t first, std::size_t last,
                               std::int32_t* element, double* sums);
+void find_soft_forces(const SoftSphereColumns& spheres, std::size_t first, std::size_t last);
+void add_up_soft_spheres(const SoftSphereColumns& spheres, std::size_t first, std::size_t last,
+                         SoftSphereSums& sums);
+double move_soft_spheres(const SoftSphereColumns& spheres, std::size_t first, std::size_t last,
+                         double time_step, double keep, double push);
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET
 
