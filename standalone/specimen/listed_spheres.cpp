@@ -7,6 +7,7 @@
 
 #include "model/blocks.hpp"
 #include "model/slots.hpp"
+#include "specimen/soft_sphere_kernels.hpp"
 
 namespace solidem {
 
@@ -21,98 +22,111 @@ struct ListsFound {
   std::vector<std::int32_t> neighbour;
 };
 
-/// The spheres in and around one cell.
-class SpheresAround {
+/// All spheres in the order of the cells.
+class SpheresInCells {
  public:
-  SpheresAround(const SpheresToList& spheres, const LinkedCells& cells)
-      : spheres_(&spheres), cells_(&cells), is_own_neighbour_(cells.is_own_neighbour()) {}
-
-  void gather(std::size_t cell) {
-    std::array<LinkedCells::CellImage, 27> around{};
-    const std::size_t cell_count = cells_->find_cells_around(cell, around);
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < cell_count; ++k)
-      count += cells_->first_of(around[k].cell + 1) - cells_->first_of(around[k].cell);
-    if (count + lanes > x_.size()) {
-      for (auto* column : {&x_, &y_, &z_, &reach_}) column->resize(2 * count + lanes);
-      near_.resize(2 * count + lanes);
+  explicit SpheresInCells(const SpheresToList& spheres)
+      : cells_(spheres.box, 2.0 * spheres.largest_radius + spheres.skin, spheres.size) {
+    const double* ball = spheres.ball;
+    std::vector<Vector> position(spheres.size);
+    for (std::size_t i = 0; i < spheres.size; ++i)
+      position[i] = {ball[4 * i], ball[4 * i + 1], ball[4 * i + 2]};
+    cells_.sort(position);
+    for (auto* column : {&x_, &y_, &z_, &reach_}) column->resize(spheres.size + lanes);
+    radius_.resize(spheres.size);
+    for (std::size_t k = 0; k < spheres.size; ++k) {
+      const LinkedCells::Resident& resident = cells_.resident(k);
+      x_[k] = resident.position.x;
+      y_[k] = resident.position.y;
+      z_[k] = resident.position.z;
+      radius_[k] = ball[4 * static_cast<std::size_t>(resident.element) + 3];
+      reach_[k] = radius_[k] + spheres.skin;
     }
-    sphere_.resize(count);
-    std::size_t to = 0;
-    for (std::size_t k = 0; k < cell_count; ++k) to = copy(around[k], to);
-    constexpr double nowhere = 1e200;
-    std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count), lanes, nowhere);
   }
 
-  /// Adds the neighbours of a sphere in that cell.
-  void list(const LinkedCells::Resident& own, ListsFound& lists) {
-    const std::size_t began = lists.neighbour.size();
-    const double radius = spheres_->ball[4 * static_cast<std::size_t>(own.element) + 3];
-    const std::size_t near = pick(own.position, radius);
-    for (std::size_t k = 0; k < near; ++k) {
-      const std::int32_t other = sphere_[near_[k]];
-      if (other == own.element) continue;
-      if (is_own_neighbour_ && !is_near(own, near_[k], radius)) continue;
-      lists.neighbour.push_back(other);
-    }
-    lists.owners.push_back(
-        {own.element, static_cast<std::int32_t>(lists.neighbour.size() - began)});
+  const LinkedCells& cells() const { return cells_; }
+  SortedSpheres columns() const { return {x_.data(), y_.data(), z_.data(), reach_.data()}; }
+  double radius(std::size_t k) const { return radius_[k]; }
+  /// For the few bodies in which a cell stands beside itself: whether a sphere is near the nearest
+  /// image of another.
+  bool are_near(std::size_t k, std::size_t other) const {
+    const double reach = radius_[k] + reach_[other];
+    const Vector chord = cells_.chord(cells_.resident(k).position, cells_.resident(other).position);
+    return dot(chord, chord) < reach * reach;
   }
 
  private:
-  std::size_t copy(const LinkedCells::CellImage& image, std::size_t to) {
-    const Vector& extent = cells_->extent();
-    const Vector shift{image.periods[0] * extent.x, image.periods[1] * extent.y,
-                       image.periods[2] * extent.z};
-    for (std::size_t r = cells_->first_of(image.cell); r < cells_->first_of(image.cell + 1);
-         ++r, ++to) {
-      const LinkedCells::Resident& resident = cells_->resident(r);
-      x_[to] = resident.position.x + shift.x;
-      y_[to] = resident.position.y + shift.y;
-      z_[to] = resident.position.z + shift.z;
-      reach_[to] =
-          spheres_->ball[4 * static_cast<std::size_t>(resident.element) + 3] + spheres_->skin;
-      sphere_[to] = resident.element;
+  LinkedCells cells_;
+  std::vector<double> x_, y_, z_, reach_, radius_;
+};
+
+/// Finds the neighbours of the spheres in one cell.
+class NeighbourSearch {
+ public:
+  explicit NeighbourSearch(const SpheresInCells& spheres)
+      : spheres_(&spheres), is_own_neighbour_(spheres.cells().is_own_neighbour()) {}
+
+  void list(std::size_t cell, ListsFound& lists) {
+    const LinkedCells& cells = spheres_->cells();
+    if (cells.first_of(cell) == cells.first_of(cell + 1)) return;
+    find_ranges(cell);
+    for (std::size_t k = cells.first_of(cell); k < cells.first_of(cell + 1); ++k) {
+      const std::size_t near = pick(k), began = lists.neighbour.size();
+      for (std::size_t n = 0; n < near; ++n)
+        if (near_[n] != k && (!is_own_neighbour_ || spheres_->are_near(k, near_[n])))
+          lists.neighbour.push_back(cells.resident(near_[n]).element);
+      lists.owners.push_back(
+          {cells.resident(k).element, static_cast<std::int32_t>(lists.neighbour.size() - began)});
     }
-    return to;
   }
 
-  std::size_t pick(const Vector& at, double radius) {
-    if (!is_own_neighbour_)
-      return spheres_->pick_near({x_.data(), y_.data(), z_.data(), reach_.data(), sphere_.size()},
-                                 at.x, at.y, at.z, radius, near_.data());
-    std::iota(near_.begin(), near_.end(), 0U);
-    return sphere_.size();
+ private:
+  void find_ranges(std::size_t cell) {
+    const LinkedCells& cells = spheres_->cells();
+    std::array<LinkedCells::CellImage, 27> around{};
+    const std::size_t count = cells.find_cells_around(cell, around);
+    const Vector& extent = cells.extent();
+    ranges_.clear();
+    std::size_t spheres = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+      const LinkedCells::CellImage& image = around[n];
+      const std::size_t first = cells.first_of(image.cell), last = cells.first_of(image.cell + 1);
+      spheres += last - first;
+      if (n > 0 && first == ranges_.back().last && image.periods == around[n - 1].periods)
+        ranges_.back().last = last;
+      else
+        ranges_.push_back({first,
+                           last,
+                           {image.periods[0] * extent.x, image.periods[1] * extent.y,
+                            image.periods[2] * extent.z}});
+    }
+    if (near_.size() < spheres + lanes) near_.resize(2 * spheres + lanes);
   }
 
-  bool is_near(const LinkedCells::Resident& own, std::size_t k, double radius) const {
-    const Vector chord = cells_->chord(own.position, {x_[k], y_[k], z_[k]});
-    return dot(chord, chord) < (reach_[k] + radius) * (reach_[k] + radius);
+  std::size_t pick(std::size_t k) {
+    // Where images count, all are looked at one by one.
+    constexpr double everywhere = 1e150;
+    const double reach = is_own_neighbour_ ? everywhere : spheres_->radius(k);
+    return soft_sphere_kernels().pick(spheres_->columns(), ranges_.data(), ranges_.size(),
+                                      spheres_->cells().resident(k).position, reach, near_.data());
   }
 
-  const SpheresToList* spheres_;
-  const LinkedCells* cells_;
+  const SpheresInCells* spheres_;
   bool is_own_neighbour_;
-  std::vector<double> x_, y_, z_, reach_;
-  std::vector<std::int32_t> sphere_;
+  std::vector<SphereRange> ranges_;
   std::vector<std::uint32_t> near_;
 };
 
-std::vector<ListsFound> find_lists(const SpheresToList& spheres, const LinkedCells& cells,
-                                   bool on_all_threads) {
-  const std::size_t cell_count = cells.cell_count();
+std::vector<ListsFound> find_lists(const SpheresInCells& spheres, bool on_all_threads) {
+  const std::size_t cell_count = spheres.cells().cell_count();
   const std::size_t parts = std::min<std::size_t>(cell_count, 64);
   std::vector<ListsFound> found(parts);
   for_each_part_with(
-      parts, on_all_threads, [&] { return SpheresAround(spheres, cells); },
-      [&](SpheresAround& around, std::size_t part) {
+      parts, on_all_threads, [&] { return NeighbourSearch(spheres); },
+      [&](NeighbourSearch& search, std::size_t part) {
         for (std::size_t cell = cell_count * part / parts; cell < cell_count * (part + 1) / parts;
-             ++cell) {
-          if (cells.first_of(cell) == cells.first_of(cell + 1)) continue;
-          around.gather(cell);
-          for (std::size_t r = cells.first_of(cell); r < cells.first_of(cell + 1); ++r)
-            around.list(cells.resident(r), found[part]);
-        }
+             ++cell)
+          search.list(cell, found[part]);
       });
   return found;
 }
@@ -123,12 +137,7 @@ void list_spheres(const SpheresToList& spheres, std::vector<std::uint32_t>& firs
                   std::vector<std::int32_t>& neighbour) {
   constexpr std::size_t least_spheres = 3000;
   const bool on_all_threads = spheres.size > least_spheres;
-  std::vector<Vector> position(spheres.size);
-  for (std::size_t i = 0; i < spheres.size; ++i)
-    position[i] = {spheres.ball[4 * i], spheres.ball[4 * i + 1], spheres.ball[4 * i + 2]};
-  LinkedCells cells(spheres.box, 2.0 * spheres.largest_radius + spheres.skin, spheres.size);
-  cells.sort(position);
-  const std::vector<ListsFound> found = find_lists(spheres, cells, on_all_threads);
+  const std::vector<ListsFound> found = find_lists(SpheresInCells(spheres), on_all_threads);
 
   const std::size_t blocks = spheres.size / lanes + 1;
   first_row.assign(blocks + 1, 0);

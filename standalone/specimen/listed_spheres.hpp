@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "neighbours/linked_cells.hpp"
-#include "neighbours/neighbourhood.hpp"
 
 namespace solidem {
 
@@ -21,13 +20,12 @@ struct SpheresToList {
   const double* ball;  ///< of each sphere a row: x y z R; inside the box where it is periodic
   std::size_t size;
   double largest_radius, skin;
-  PickNear pick_near;
 };
 
-/// Replaces the lists by those of the spheres: rows of eight, the k-th neighbour of each sphere of a
-/// block, filled up with the number that follows the last sphere's. The rows of a block stand from
-/// first_row[block] to first_row[block + 1]. There are size / 8 + 1 blocks. The neighbours of a
-/// sphere stand in the order of LinkedCells::for_each_pair, which sums of forces follow.
+/// Replaces the lists by those of the spheres: rows of eight, the k-th neighbour of each sphere of
+/// a block, filled up with the number that follows the last sphere's. The rows of a block stand
+/// from first_row[block] to first_row[block + 1]. There are size / 8 + 1 blocks. The neighbours of
+/// a sphere stand in the order of LinkedCells::for_each_pair, which sums of forces follow.
 void list_spheres(const SpheresToList& spheres, std::vector<std::uint32_t>& first_row,
                   std::vector<std::int32_t>& neighbour);
 

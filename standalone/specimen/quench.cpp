@@ -18,7 +18,14 @@ namespace {
 
 // Blocks of eight spheres in a chunk of a sum: the sum is the same on any number of threads.
 constexpr std::size_t chunk = 128, least_chunks = 4;
-constexpr std::size_t least_spheres = 3000;  // below which one thread looks for walls
+
+// Calls work(chunk, first block, last block) for chunks of blocks, on all threads.
+template <class Work>
+void for_chunks(std::size_t blocks, const Work& work) {
+  for_blocks((blocks + chunk - 1) / chunk, least_chunks, [&](std::size_t from, std::size_t to) {
+    for (std::size_t c = from; c < to; ++c) work(c, c * chunk, std::min((c + 1) * chunk, blocks));
+  });
+}
 
 // Stands beside no sphere.
 constexpr double nowhere = 1e30;
@@ -52,6 +59,7 @@ SoftSpheres::SoftSpheres(const Domain& domain, std::vector<Vector> position,
   force_ = Buffer<double>(3 * padded);
   contact_force_ = Buffer<double>(padded);
   contacts_ = Buffer<double>(padded);
+  first_of_chunk_.assign((padded / lanes - 1) / chunk + 2, 0);
   for (std::size_t i = 0; i < padded; ++i) {
     place(i, i < size_ ? position[i] : Vector{nowhere, nowhere, nowhere});
     ball_[4 * i + 3] = i < size_ ? radius[i] : 0.0;
@@ -101,21 +109,28 @@ void SoftSpheres::build_lists() {
   std::copy(ball_.begin(), ball_.end(), listed_.begin());
   mean_diameter_ = 2.0 * sum / static_cast<double>(size_);
   find_near_walls();
-  list_spheres({{domain_.lower, domain_.upper, domain_.periodic}, ball_.data(), size_, largest,
-                skin_, soft_sphere_kernels().pick_near},
-               first_row_, neighbour_);
+  list_spheres(
+      {{domain_.lower, domain_.upper, domain_.periodic}, ball_.data(), size_, largest, skin_},
+      first_row_, neighbour_);
 }
 
 void SoftSpheres::find_near_walls() {
-  is_near_wall_.resize(size_);
-  for_blocks(size_, least_spheres, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const double reach = radius(i) + skin_;
-      const bool is_near = surface_ == nullptr ? may_reach_walls(centre(i), reach)
-                                               : surface_->signed_distance(centre(i)) > -reach;
-      is_near_wall_[i] = is_near ? 1 : 0;
-    }
+  const std::size_t chunks = first_of_chunk_.size() - 1;
+  std::vector<std::vector<std::uint32_t>> found(chunks);
+  for_blocks(chunks, least_chunks, [&](std::size_t from, std::size_t to) {
+    for (std::size_t c = from; c < to; ++c)
+      for (std::size_t i = c * chunk * lanes; i < std::min((c + 1) * chunk * lanes, size_); ++i) {
+        const double reach = radius(i) + skin_;
+        if (surface_ == nullptr ? may_reach_walls(centre(i), reach)
+                                : surface_->signed_distance(centre(i)) > -reach)
+          found[c].push_back(static_cast<std::uint32_t>(i));
+      }
   });
+  near_walls_.clear();
+  for (std::size_t c = 0; c < chunks; ++c) {
+    near_walls_.insert(near_walls_.end(), found[c].begin(), found[c].end());
+    first_of_chunk_[c + 1] = near_walls_.size();
+  }
 }
 
 bool SoftSpheres::may_reach_walls(const Vector& centre, double reach) const {
@@ -163,9 +178,9 @@ void SoftSpheres::wall_force(const Vector& centre, double radius, Vector& force)
     force -= std::max(0.0, dot(normal, from_axis) + radius) * normal;
 }
 
-void SoftSpheres::add_walls(std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    if (is_near_wall_[i] == 0) continue;
+void SoftSpheres::add_walls(std::size_t chunk_number) {
+  for (std::size_t k = first_of_chunk_[chunk_number]; k < first_of_chunk_[chunk_number + 1]; ++k) {
+    const std::size_t i = near_walls_[k];
     double* const at = force_.data() + 3 * lanes * (i / lanes) + i % lanes;
     Vector force{at[0], at[lanes], at[2 * lanes]};
     if (surface_ == nullptr)
@@ -183,18 +198,10 @@ SoftSphereColumns SoftSpheres::columns() {
   Vector period{infinity, infinity, infinity};
   for (int axis = 0; axis < 3; ++axis)
     if (domain_.periodic[axis]) component(period, axis) = component(extent_, axis);
-  return {first_row_.data(), neighbour_.data(), ball_.data(),          listed_.data(),
-          velocity_.data(),  force_.data(),     contact_force_.data(), contacts_.data(),
-          period,            domain_.is_periodic()};
-}
-
-// Calls work(chunk, first block, last block) for chunks of blocks, on all threads.
-template <class Work>
-void for_chunks(std::size_t blocks, const Work& work) {
-  for_blocks((blocks + chunk - 1) / chunk, least_chunks, [&](std::size_t from, std::size_t to) {
-    for (std::size_t c = from; c < to; ++c)
-      work(c, c * chunk, std::min((c + 1) * chunk, blocks));
-  });
+  return {first_row_.data(),     neighbour_.data(), ball_.data(),
+          listed_.data(),        velocity_.data(),  force_.data(),
+          contact_force_.data(), contacts_.data(),  period,
+          domain_.is_periodic()};
 }
 
 void SoftSpheres::compute_forces() {
@@ -204,7 +211,7 @@ void SoftSpheres::compute_forces() {
   std::vector<SoftSphereSums> partial(blocks / chunk + 1);
   for_chunks(blocks, [&](std::size_t c, std::size_t first, std::size_t last) {
     kernels.find_forces(spheres, first, last);
-    add_walls(first * lanes, std::min(last * lanes, size_));
+    add_walls(c);
     kernels.add_up(spheres, first, last, partial[c]);
   });
   sums_ = {};

@@ -56,7 +56,7 @@ class SoftSpheres {
   bool may_reach_walls(const Vector& centre, double reach) const;
   Vector image_inside(Vector point) const;
   Vector nearest_image(Vector d) const;
-  void add_walls(std::size_t first, std::size_t last);
+  void add_walls(std::size_t chunk_number);
   void wall_force(const Vector& centre, double radius, Vector& force) const;
   void compute_forces();
   double move(double time_step, double keep, double steer);
@@ -73,8 +73,9 @@ class SoftSpheres {
   Vector axis_point_{}, first_normal_{}, last_normal_{};  // of round bodies; of a wedge, outward
   Buffer<double> ball_, velocity_, force_, listed_, contact_force_, contacts_;
   std::vector<std::uint32_t> first_row_;
-  std::vector<std::int32_t> neighbour_;  // both sides of each listed pair
-  std::vector<char> is_near_wall_;       // of the lists: may reach one before they are made anew
+  std::vector<std::int32_t> neighbour_;      // both sides of each listed pair
+  std::vector<std::uint32_t> near_walls_;    // may reach one before the lists are made anew
+  std::vector<std::size_t> first_of_chunk_;  // of those, in each chunk of blocks
   double mean_diameter_ = 2;
   double skin_ = 0.4;  // of the lists
   SoftSphereSums sums_;

@@ -9,7 +9,6 @@
 #include <cstdint>
 
 #include "model/specimen.hpp"
-#include "neighbours/neighbourhood.hpp"
 
 namespace solidem {
 
@@ -21,8 +20,9 @@ struct SoftSphereColumns {
   double* ball;                    ///< of each sphere a row: x y z R
   const double* listed;            ///< likewise: x y z where the lists were made, nothing
   double *velocity, *force;        ///< of each block: eight of x, eight of y, eight of z
-  double *contact_force, *contacts;  ///< of each sphere: the sum of eight times the depths, how many
-  Vector period;                     ///< lengths of the body where it is periodic, else infinity
+  double *contact_force,
+      *contacts;  ///< of each sphere: the sum of eight times the depths, how many
+  Vector period;  ///< lengths of the body where it is periodic, else infinity
   bool is_periodic;
 };
 
@@ -32,7 +32,18 @@ struct SoftSphereSums {
   double contact_force = 0, contacts = 0;
 };
 
-/// Each treats the blocks [first, last).
+/// Spheres in the order of cells, with room for eight more behind each column.
+struct SortedSpheres {
+  const double *x, *y, *z, *reach;
+};
+
+/// Spheres that follow each other, or their images.
+struct SphereRange {
+  std::size_t first, last;
+  Vector shift;  ///< of the images
+};
+
+/// Each but the last treats the blocks [first, last).
 struct SoftSphereKernels {
   /// The forces of neighbours.
   void (*find_forces)(const SoftSphereColumns&, std::size_t first, std::size_t last);
@@ -42,7 +53,10 @@ struct SoftSphereKernels {
   /// were made.
   double (*move)(const SoftSphereColumns&, std::size_t first, std::size_t last, double time_step,
                  double keep, double push);
-  PickNear pick_near;
+  /// Writes the places of spheres in some ranges whose centres are nearer than the sum of both
+  /// reaches, in their order; returns how many. `near` has room for all and eight more.
+  std::size_t (*pick)(const SortedSpheres&, const SphereRange* ranges, std::size_t count,
+                      const Vector& centre, double reach, std::uint32_t* near);
 };
 
 /// Those of this machine's best instruction set; they stand with all others, in effects/kernels.

@@ -15,19 +15,20 @@
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
 extern const Kernels kernels;
-const Kernels kernels{SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET),
-                      move_beams_by_kind,
-                      move_by_central_forces,
-                      find_crack_faces,
-                      move_freely,
-                      push,
-                      lay_out_motion,
-                      pick_contacts,
-                      find_contact_loads,
-                      sum_contact_loads,
-                      pick_near,
-                      conduct,
-                      conducted_power_by_kind,
-                      {find_soft_forces, add_up_soft_spheres, move_soft_spheres, pick_near}};
+const Kernels kernels{
+    SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET),
+    move_beams_by_kind,
+    move_by_central_forces,
+    find_crack_faces,
+    move_freely,
+    push,
+    lay_out_motion,
+    pick_contacts,
+    find_contact_loads,
+    sum_contact_loads,
+    pick_near,
+    conduct,
+    conducted_power_by_kind,
+    {find_soft_forces, add_up_soft_spheres, move_soft_spheres, pick_soft_spheres}};
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET

@@ -22,6 +22,9 @@ void add_up_soft_spheres(const SoftSphereColumns& spheres, std::size_t first, st
                          SoftSphereSums& sums);
 double move_soft_spheres(const SoftSphereColumns& spheres, std::size_t first, std::size_t last,
                          double time_step, double keep, double push);
+std::size_t pick_soft_spheres(const SortedSpheres& spheres, const SphereRange* ranges,
+                              std::size_t count, const Vector& centre, double reach,
+                              std::uint32_t* near);
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET
 

@@ -30,8 +30,7 @@ void find_forces_of_blocks(const SoftSphereColumns& s, std::size_t first, std::s
       PackVector force{};
       Pack contact_force, contacts;
       for (std::uint32_t row = s.first_row[block]; row < s.first_row[block + 1]; ++row) {
-        const Quad other =
-            Quad::gather(s.ball, s.neighbour + std::size_t{row} * lanes + lane);
+        const Quad other = Quad::gather(s.ball, s.neighbour + std::size_t{row} * lanes + lane);
         PackVector chord = vector_of(own) - vector_of(other);
         if (periodic)
           chord = {nearest(chord.x, period.x), nearest(chord.y, period.y),
@@ -99,6 +98,26 @@ double move_soft_spheres(const SoftSphereColumns& s, std::size_t first, std::siz
   double farthest = 0;
   for (int k = 0; k < width; ++k) farthest = farthest2.v[k] > farthest ? farthest2.v[k] : farthest;
   return farthest;
+}
+
+std::size_t pick_soft_spheres(const SortedSpheres& s, const SphereRange* ranges, std::size_t count,
+                              const Vector& centre, double reach, std::uint32_t* near) {
+  Pack number;
+  for (int k = 0; k < width; ++k) number.v[k] = k;
+  std::size_t found = 0;
+  for (const SphereRange* range = ranges; range < ranges + count; ++range) {
+    const Vector from = centre - range->shift;
+    for (std::size_t k = range->first; k < range->last; k += width) {
+      const Pack dx = Pack::load_anywhere(s.x + k) - Pack(from.x);
+      const Pack dy = Pack::load_anywhere(s.y + k) - Pack(from.y);
+      const Pack dz = Pack::load_anywhere(s.z + k) - Pack(from.z);
+      const Pack limit = Pack::load_anywhere(s.reach + k) + Pack(reach);
+      const Mask is_near = greater(limit * limit, dx * dx + dy * dy + dz * dz);
+      const Mask is_inside = greater(Pack(static_cast<double>(range->last - k)), number);
+      found += write_numbers(both(is_near, is_inside), k, near + found);
+    }
+  }
+  return found;
 }
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET
