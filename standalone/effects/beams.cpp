@@ -10,7 +10,6 @@
 #include "effects/bond_slot.hpp"
 #include "effects/bond_temperature.hpp"
 #include "laws/rigid_sphere.hpp"
-#include "model/lane_vectors.hpp"
 
 namespace solidem {
 
@@ -222,13 +221,15 @@ std::vector<TimeStepCriterion> Beams::time_step_criteria(const Model& model) con
   const double* inverse_mass = model.data(columns::inverse_mass);
   double axial = 0, bending = 0, torsion = 0;  // largest squared frequencies
   const BeamMotion columns_now = columns_of(model);
-  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    const Bond b = bond(columns_now, i, j, row, lane);
-    axial = std::max(axial, inverse_mass[i] / b.rest_length() * b.rigidity().axial);
+  model.slots().for_each([&](std::int32_t i, std::int32_t /*j*/, std::size_t row, int lane) {
+    const SlotReader slot{row, lane};
+    const double rest_length = slot.number(columns_now.rest_length);
+    const BeamRigidity<double> rigidity = rigidity_in(columns_now, slot);
+    axial = std::max(axial, inverse_mass[i] / rest_length * rigidity.axial);
     if (!demands_.has_rotation()) return;
-    const double inertia = model.data(columns::inverse_inertia)[i] / b.rest_length();
-    bending = std::max(bending, inertia * b.rigidity().bending / 2);
-    torsion = std::max(torsion, inertia * b.rigidity().torsion);
+    const double inertia = columns_now.inverse_inertia[i] / rest_length;
+    bending = std::max(bending, inertia * rigidity.bending / 2);
+    torsion = std::max(torsion, inertia * rigidity.torsion);
   });
   std::vector<TimeStepCriterion> criteria{{"axial stiffness of the beams", 1 / std::sqrt(axial)}};
   if (demands_.has_rotation()) {
@@ -247,8 +248,9 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
                         int lane) const {
   const SlotReader slot{row, lane};
   const BondKind kind = bond_kind(m);
-  const auto [chord, q_i, q_j] = ends_in(m.pose, m, slot, i, j);
-  BondNow<double> now = load_bond(kind, m, slot, true, chord, q_i, conjugate(q_i), q_j);
+  const BeamEnds<double> ends = ends_in(m.pose, m, slot, i, j);
+  const auto& [chord, q_i, q_j] = ends;
+  BondNow<double> now = bond_in(m, slot, ends);
   if (kind.remembers) now.history.strain = slot.number(m.plastic_strain);
 
   YieldingBeam<double> beam{now.rigidity,    now.rest_length,  m.radius, 0,
@@ -388,107 +390,6 @@ void Beams::finish_move(Model& model) {
   else
     model.swap(columns::pose);
   time_ += time_step_;
-}
-
-void Beams::for_each_pair(const Model& model, const PairVisit& visit) const {
-  const BeamMotion columns_now = columns_of(model);
-  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (i > j) return;
-    const BeamLoad<double> load = bond(columns_now, i, j, row, lane).load();
-    visit({i, j, rest_chord(model.specimen(), {i, j}), load.force, load.moment_i});
-  });
-}
-
-void Beams::observe(const Model& model, Observation& observation) const {
-  const std::size_t count = model.slots().padded_elements(), blocks = model.slots().blocks();
-  ObservedMotion& motion = observation.motion;
-  motion.force.assign(count, {});
-  motion.moment.assign(count, {});
-  std::vector<double> energy(blocks, 0.0), work(blocks, 0.0);
-  const BeamMotion columns_now = columns_of(model);
-  for_blocks(blocks, least_blocks_of_beams, [&](std::size_t first, std::size_t last) {
-    for (std::size_t block = first; block < last; ++block)
-      model.slots().for_each_in(block,
-                                [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-                                  const Bond b = bond(columns_now, i, j, row, lane);
-                                  motion.force[static_cast<std::size_t>(i)] += b.load().force;
-                                  motion.moment[static_cast<std::size_t>(i)] += b.load().moment_i;
-                                  energy[block] += 0.5 * b.energy();
-                                  work[block] += 0.5 * b.response.plastic_work;
-                                });
-  });
-  double elastic = 0;
-  for (const double part : energy) elastic += part;
-  observation.energies.add(EnergyLedger::Kind::stored, "elastic_energy", elastic);
-  if (demands_.plasticity) {
-    double plastic = 0;
-    for (const double part : work) plastic += part;
-    const double* kept = model.data(columns::plastic_work);
-    for (std::size_t i = 0; i < model.elements(); ++i) plastic += kept[i];
-    observation.energies.add(EnergyLedger::Kind::dissipated, "plastic_work", plastic);
-  }
-
-  const double* velocity = model.data(columns::velocity);
-  const double* inverse_mass = model.data(columns::inverse_mass);
-  const bool has_rotation = demands_.has_rotation();
-  const double* spin = has_rotation ? model.data(columns::angular_velocity) : nullptr;
-  const double* inverse_inertia = has_rotation ? model.data(columns::inverse_inertia) : nullptr;
-  const std::size_t elements = model.elements();
-  motion.force.resize(elements);
-  motion.moment.resize(elements);
-  motion.velocity.resize(elements);
-  motion.angular_velocity.resize(has_rotation ? elements : 0);
-  motion.kinetic_energy = motion.squared_impulse = 0;
-  for (std::size_t i = 0; i < elements; ++i) {
-    if (!(inverse_mass[i] > 0)) continue;  // removed
-    const std::size_t at = Model::at(columns::velocity, i);
-    Vector& v = motion.velocity[i];
-    v = lanes_vector(velocity, at) + (observation.behind * inverse_mass[i]) * motion.force[i];
-    motion.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
-    motion.add_impulse({}, motion.force[i], inverse_mass[i]);
-    if (!has_rotation) continue;
-    Vector& w = motion.angular_velocity[i];
-    w = lanes_vector(spin, at) + (observation.behind * inverse_inertia[i]) * motion.moment[i];
-    motion.kinetic_energy += 0.5 * dot(w, w) / inverse_inertia[i];
-    motion.add_impulse({}, motion.moment[i], inverse_inertia[i]);
-  }
-}
-
-double Beams::spent(const Model& model) const {
-  double work = 0;
-  if (model.has(columns::plastic_work))
-    for (std::size_t i = 0; i < model.elements(); ++i) work += model.data(columns::plastic_work)[i];
-  return work;
-}
-
-void Beams::show(const Model& model, Frame& frame) const {
-  if (model.has(columns::plastic_work)) {
-    const double* work = model.data(columns::plastic_work);
-    frame.add("plastic_work", {work, work + model.elements()});
-  }
-  if (!demands_.plasticity && !demands_.rupture) return;
-  std::vector<double> had(model.elements(), 0), broken(model.elements(), 0);
-  std::vector<double> stress, plastic_strain, intact;
-  for (const Pair& pair : frame.bonds()) {
-    const auto place = model.slots().find(pair.i, pair.j);
-    for (const std::int32_t element : {pair.i, pair.j}) {
-      had[static_cast<std::size_t>(element)] += 1;
-      if (!place) broken[static_cast<std::size_t>(element)] += 1;
-    }
-    intact.push_back(place ? 1 : 0);
-    stress.push_back(0);
-    plastic_strain.push_back(0);
-    if (!place) continue;
-    const Bond b = bond(model, pair.i, pair.j, place->row, place->lane);
-    stress.back() = b.rigidity().axial / b.section() * b.response.strain;
-    plastic_strain.back() = b.response.history.strain;
-  }
-  for (std::size_t i = 0; i < had.size(); ++i)
-    if (had[i] > 0) broken[i] /= had[i];
-  frame.add("broken_bonds", broken);
-  frame.add_of_bonds("stress", stress);
-  frame.add_of_bonds("plastic_strain", plastic_strain);
-  frame.add_of_bonds("intact", intact);
 }
 
 }  // namespace solidem

@@ -42,6 +42,8 @@ struct BeamDemands {
 /// What a setup asks of its bonds; it must have some.
 BeamDemands demands_of(const Setup& setup);
 
+struct BondEffort;
+
 /// Elements in motion under beam bonds: laws/beam.hpp, with laws/beam_plasticity.hpp where bonds
 /// flow; velocity Verlet, with rotations unless the bonds are springs.
 ///
@@ -130,6 +132,9 @@ class Beams : public Mechanics {
 
  private:
   BeamMotion columns_of(const Model& model) const;  ///< to be read alone
+  /// Of the bond in a slot.
+  BondEffort effort(const BeamMotion& motion, std::int32_t i, std::int32_t j, std::size_t row,
+                    int lane) const;
   /// Of a new bond.
   double limit_of(const LimitScale<double>& scale, double temperature) const;
   /// Of a bond, where it counts, K; else 0.

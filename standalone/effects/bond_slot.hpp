@@ -51,6 +51,31 @@ inline BondKind bond_kind(const BeamMotion& m) {
   return {m.has_rotation, m.bond_rigidity != nullptr, m.watch == Watch::remembering};
 }
 
+inline BeamRigidity<double> rigidity_in(const BeamMotion& m, const SlotReader& slot) {
+  if (m.bond_rigidity == nullptr) return m.rigidity;
+  return {slot.number(m.bond_rigidity, 4, 0), slot.number(m.bond_rigidity, 4, 1),
+          slot.number(m.bond_rigidity, 4, 2), slot.number(m.bond_rigidity, 4, 3)};
+}
+
+/// A bond as it stands before any flow, whose ends are those.
+inline BondNow<double> bond_in(const BeamMotion& m, const SlotReader& slot,
+                               const BeamEnds<double>& ends) {
+  const auto& [chord, q_i, q_j] = ends;
+  return load_bond(bond_kind(m), m, slot, true, chord, q_i, conjugate(q_i), q_j);
+}
+
+/// What elements feel of a bond, and energies, J.
+struct BondEffort {
+  BeamLoad<double> load;
+  double energy, plastic_work;
+};
+
+/// The same of a bond that keeps its shape.
+inline BondEffort elastic_effort(const BondNow<double>& bond) {
+  return {beam_load(bond.rigidity, bond.pose, bond.deformation),
+          beam_energy(bond.rigidity, bond.pose, bond.deformation), 0};
+}
+
 }  // namespace solidem
 
 #endif
