@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "effects/kernels/block_rows.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "model/error.hpp"
 
@@ -9,16 +10,22 @@ namespace solidem {
 
 namespace baseline {
 extern const Kernels kernels;
-}
+void multiply_rows(const BlockRows& rows, std::size_t first, std::size_t last, const double* x,
+                   double* y);
+}  // namespace baseline
 #if defined(SOLIDEM_COMPILED_FOR_x86_64_v3)
 namespace x86_64_v3 {
 extern const Kernels kernels;
-}
+void multiply_rows(const BlockRows& rows, std::size_t first, std::size_t last, const double* x,
+                   double* y);
+}  // namespace x86_64_v3
 #endif
 #if defined(SOLIDEM_COMPILED_FOR_x86_64_v4)
 namespace x86_64_v4 {
 extern const Kernels kernels;
-}
+void multiply_rows(const BlockRows& rows, std::size_t first, std::size_t last, const double* x,
+                   double* y);
+}  // namespace x86_64_v4
 #endif
 
 std::vector<const Kernels*> usable_kernels() {
@@ -57,6 +64,16 @@ const Kernels& choose() {
 const Kernels& kernels() {
   static const Kernels& chosen = choose();
   return chosen;
+}
+
+MultiplyRows multiply_rows() {
+#if defined(SOLIDEM_COMPILED_FOR_x86_64_v4)
+  if (&kernels() == &x86_64_v4::kernels) return x86_64_v4::multiply_rows;
+#endif
+#if defined(SOLIDEM_COMPILED_FOR_x86_64_v3)
+  if (&kernels() == &x86_64_v3::kernels) return x86_64_v3::multiply_rows;
+#endif
+  return baseline::multiply_rows;
 }
 
 const SoftSphereKernels& soft_sphere_kernels() {

@@ -2,11 +2,14 @@
 #include "solve/statics/stiffness_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <Eigen/OrderingMethods>
 #include <map>
+#include <numeric>
 
 #include "effects/effect.hpp"
+#include "effects/kernels/block_rows.hpp"
 
 namespace solidem {
 
@@ -28,8 +31,8 @@ constexpr double iterations_of_length = 10;
 constexpr double cost_of_iteration = 0.5;
 
 /// Parts of a body that move as rigid ones in the coarse body: as many as make the fewest
-/// iterations for their cost.
-constexpr std::size_t most_parts = 160, least_rows_of_part = 48;
+/// iterations for their cost, up to this number, and one for each so many rows of large bodies.
+constexpr std::size_t most_parts_of_small = 160, least_rows_of_part = 48, least_rows_beyond = 250;
 
 auto segment(std::vector<double>& v, std::size_t row) {
   return Eigen::Map<Eigen::Matrix<double, 6, 1>>(v.data() + 6 * row);
@@ -38,20 +41,26 @@ auto segment(const std::vector<double>& v, std::size_t row) {
   return Eigen::Map<const Eigen::Matrix<double, 6, 1>>(v.data() + 6 * row);
 }
 
-double inner_product(const std::vector<double>& a, const std::vector<double>& b) {
-  const std::size_t width = 6 * chunk, chunks = (a.size() + width - 1) / width;
-  std::vector<double> part(chunks);
-  for_blocks(chunks, least_chunks, [&](std::size_t first, std::size_t last) {
-    for (std::size_t c = first; c < last; ++c) {
-      const std::size_t from = c * width, count = std::min(width, a.size() - from);
-      using Map = Eigen::Map<const Eigen::VectorXd>;
-      const auto n = static_cast<Eigen::Index>(count);
-      part[c] = Map(&a[from], n).dot(Map(&b[from], n));
-    }
+/// The sum of what each chunk of some rows gives.
+template <class Part>
+double sum_of_chunks(std::size_t rows, const Part& part_of) {
+  std::vector<double> part((rows + chunk - 1) / chunk);
+  for_blocks(part.size(), least_chunks, [&](std::size_t first, std::size_t last) {
+    for (std::size_t c = first; c < last; ++c) part[c] = part_of(c);
   });
-  double sum = 0;
-  for (const double p : part) sum += p;
-  return sum;
+  return std::accumulate(part.begin(), part.end(), 0.0);
+}
+
+/// The inner product of a chunk.
+double part_of_product(const std::vector<double>& a, const std::vector<double>& b, std::size_t c) {
+  using Map = Eigen::Map<const Eigen::VectorXd>;
+  const std::size_t from = 6 * chunk * c, count = std::min(6 * chunk, a.size() - from);
+  const auto n = static_cast<Eigen::Index>(count);
+  return Map(&a[from], n).dot(Map(&b[from], n));
+}
+
+double inner_product(const std::vector<double>& a, const std::vector<double>& b) {
+  return sum_of_chunks(a.size() / 6, [&](std::size_t c) { return part_of_product(a, b, c); });
 }
 
 }  // namespace
@@ -90,19 +99,36 @@ void StiffnessSolver::make_rows() {
   for (std::size_t r = 0; r < rows; ++r) start_[r + 1] += start_[r];
 
   column_.resize(static_cast<std::size_t>(start_[rows]));
+  place_.assign(column_.size(), 0);
+  block_of_bond_.assign(bonds_.size(), -1);
   std::vector<std::int32_t> next(start_.begin(), start_.end() - 1);
   const auto enter = [&](std::int32_t row, std::int32_t column) {
     const std::int32_t at = next[static_cast<std::size_t>(row)]++;
     column_[static_cast<std::size_t>(at)] = column;
-    return at;
+    return static_cast<std::size_t>(at);
   };
   for (std::size_t r = 0; r < rows; ++r)
     enter(static_cast<std::int32_t>(r), static_cast<std::int32_t>(r));
-  place_.assign(bonds_.size(), {-1, -1});
+  // Blocks stand in the order of the rows in which they are above the diagonal.
+  std::vector<std::array<std::size_t, 2>> sides(bonds_.size());
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     const std::int32_t i = row_of(bonds_[b].i), j = row_of(bonds_[b].j);
-    if (i >= 0 && j >= 0) place_[b] = {enter(i, j), enter(j, i)};
+    if (i < 0 || j < 0) continue;
+    sides[b] = {enter(i, j), enter(j, i)};
+    block_of_bond_[b] = 0;
   }
+  std::int32_t blocks = 0;
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::int32_t k = start_[r]; k < start_[r + 1]; ++k)
+      if (column_[static_cast<std::size_t>(k)] >= static_cast<std::int32_t>(r))
+        place_[static_cast<std::size_t>(k)] = blocks++;
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    if (block_of_bond_[b] < 0) continue;
+    const auto [above, below] = sides[b];  // of a pair the first has the lower number
+    block_of_bond_[b] = place_[above];
+    place_[below] = ~place_[above];
+  }
+  block_ = Buffer<Block>(static_cast<std::size_t>(blocks));
 }
 
 void StiffnessSolver::choose(LinearMethod method) {
@@ -156,7 +182,7 @@ double StiffnessSolver::foreseen_iterations() const {
 
 void StiffnessSolver::assemble(const std::function<BondTangent(std::size_t)>& tangent_of,
                                double shift) {
-  block_.assign(column_.size(), Block::Zero());
+  std::fill(block_.begin(), block_.end(), Block::Zero());
   Eigen::Matrix<double, 12, 1> unit = Eigen::Matrix<double, 12, 1>::Ones();
   for (const int k : {3, 4, 5, 9, 10, 11}) unit[k] = 1 / length_;
   // Tangents are made by all threads, a batch at a time, and added in the order of the bonds.
@@ -174,15 +200,13 @@ void StiffnessSolver::assemble(const std::function<BondTangent(std::size_t)>& ta
       const std::int32_t i = row_of_[static_cast<std::size_t>(bonds_[b].i)];
       const std::int32_t j = row_of_[static_cast<std::size_t>(bonds_[b].j)];
       const BondTangent& t = tangents[k];
-      if (i >= 0) diagonal(i) += t.topLeftCorner<6, 6>();
-      if (j >= 0) diagonal(j) += t.bottomRightCorner<6, 6>();
-      if (place_[b][0] < 0) continue;
-      block_[static_cast<std::size_t>(place_[b][0])] = t.topRightCorner<6, 6>();
-      block_[static_cast<std::size_t>(place_[b][1])] = t.bottomLeftCorner<6, 6>();
+      if (i >= 0) diagonal(static_cast<std::size_t>(i)) += t.topLeftCorner<6, 6>();
+      if (j >= 0) diagonal(static_cast<std::size_t>(j)) += t.bottomRightCorner<6, 6>();
+      if (block_of_bond_[b] >= 0)
+        block_[static_cast<std::size_t>(block_of_bond_[b])] = t.topRightCorner<6, 6>();
     }
   }
-  for (std::size_t r = 0; r < element_of_.size(); ++r)
-    diagonal(static_cast<std::int32_t>(r)).diagonal().array() += shift;
+  for (std::size_t r = 0; r < element_of_.size(); ++r) diagonal(r).diagonal().array() += shift;
   hold();
   resist_everything();
   factorised_ ? factorise() : assemble_parts();
@@ -193,7 +217,9 @@ void StiffnessSolver::hold() {
   for (std::size_t r = 0; r < element_of_.size(); ++r) {
     const char* held_row = &held_[6 * static_cast<std::size_t>(element_of_[r])];
     for (std::int32_t k = start_[r]; k < start_[r + 1]; ++k) {
-      Block& block = block_[static_cast<std::size_t>(k)];
+      const std::int32_t place = place_[static_cast<std::size_t>(k)];
+      if (place < 0) continue;
+      Block& block = block_[static_cast<std::size_t>(place)];
       const auto c = static_cast<std::size_t>(column_[static_cast<std::size_t>(k)]);
       const char* held_column = &held_[6 * static_cast<std::size_t>(element_of_[c])];
       const double stiffness = block.trace();
@@ -208,9 +234,9 @@ void StiffnessSolver::hold() {
 
 void StiffnessSolver::resist_everything() {
   unresisted_.clear();
-  inverse_.resize(element_of_.size());
+  inverse_ = Buffer<Block>(element_of_.size());
   for (std::size_t r = 0; r < element_of_.size(); ++r) {
-    Block& block = diagonal(static_cast<std::int32_t>(r));
+    Block& block = diagonal(r);
     const double largest = block.diagonal().cwiseAbs().maxCoeff();
     Eigen::LDLT<Block> factor(block);
     if (factor.vectorD().cwiseAbs().minCoeff() < 1e3 * nothing * largest) {
@@ -230,6 +256,7 @@ void StiffnessSolver::resist_everything() {
 void StiffnessSolver::make_parts(const Specimen& specimen) {
   // Rows follow the order of the specimen, in which neighbours are near.
   const std::size_t rows = element_of_.size();
+  const std::size_t most_parts = std::max(most_parts_of_small, rows / least_rows_beyond);
   rows_of_part_ = std::max(least_rows_of_part, rows / most_parts + 1);
   parts_ = (rows + rows_of_part_ - 1) / rows_of_part_;
   if (parts_ < 2) parts_ = 0;
@@ -261,7 +288,7 @@ void StiffnessSolver::assemble_parts() {
       for (std::int32_t k = start_[r]; k < start_[r + 1]; ++k) {
         const auto c = static_cast<std::size_t>(column_[static_cast<std::size_t>(k)]);
         Block& sum = row_of_parts.try_emplace(c / rows_of_part_, Block::Zero()).first->second;
-        sum += rigid_motion(r).transpose() * block_[static_cast<std::size_t>(k)] * rigid_motion(c);
+        sum += rigid_motion(r).transpose() * entry(k) * rigid_motion(c);
       }
     // A part that is held, or straight, has motions that meet no resistance.
     Block& diagonal = row_of_parts[part];
@@ -320,7 +347,7 @@ void StiffnessSolver::factorise() {
   entries.reserve(36 * column_.size());
   for (std::size_t r = 0; r < element_of_.size(); ++r)
     for (std::int32_t k = start_[r]; k < start_[r + 1]; ++k) {
-      const Block& block = block_[static_cast<std::size_t>(k)];
+      const Block block = entry(k);
       const int row = 6 * order_[r];
       const int column = 6 * order_[static_cast<std::size_t>(column_[static_cast<std::size_t>(k)])];
       for (int a = 0; a < 6; ++a)
@@ -381,50 +408,57 @@ Eigen::VectorXd StiffnessSolver::product(const Eigen::VectorXd& x) const {
 double StiffnessSolver::largest_stiffness() const {
   double largest = 0;
   for (std::size_t r = 0; r < element_of_.size(); ++r)
-    largest = std::max(largest, diagonal(static_cast<std::int32_t>(r)).diagonal().maxCoeff());
+    largest = std::max(largest, diagonal(r).diagonal().maxCoeff());
   return largest;
+}
+
+void StiffnessSolver::multiply_chunk(std::size_t number, const std::vector<double>& x,
+                                     std::vector<double>& y) const {
+  const std::size_t first = number * chunk, last = std::min(first + chunk, element_of_.size());
+  multiply_rows()({start_.data(), column_.data(), place_.data(), block_.data()->data()}, first,
+                  last, x.data(), y.data());
 }
 
 void StiffnessSolver::multiply(const std::vector<double>& x, std::vector<double>& y) const {
   for_blocks((element_of_.size() + chunk - 1) / chunk, least_chunks,
              [&](std::size_t first, std::size_t last) {
-               const std::size_t end = std::min(last * chunk, element_of_.size());
-               for (std::size_t r = first * chunk; r < end; ++r) {
-                 Segment sum = Segment::Zero();
-                 for (std::int32_t k = start_[r]; k < start_[r + 1]; ++k) {
-                   const auto at = static_cast<std::size_t>(k);
-                   sum.noalias() += block_[at] * segment(x, static_cast<std::size_t>(column_[at]));
-                 }
-                 segment(y, r) = sum;
-               }
+               for (std::size_t c = first; c < last; ++c) multiply_chunk(c, x, y);
              });
 }
 
 StiffnessSolver::Result StiffnessSolver::iterate(const Eigen::VectorXd& b, Eigen::VectorXd& x,
                                                  double tolerance) const {
-  // Preconditioned conjugate gradients.
+  // Preconditioned conjugate gradients. Products of what is at hand anyway are taken with it.
   const std::size_t rows = element_of_.size(), size = 6 * rows;
-  const auto over_rows = [&](const auto& work) {
-    for_blocks((rows + chunk - 1) / chunk, least_chunks, [&](std::size_t first, std::size_t last) {
-      for (std::size_t r = first * chunk; r < std::min(last * chunk, rows); ++r) work(r);
-    });
-  };
   std::vector<double> left = gather(x), residual = gather(b), image(size), z(size), p(size);
   const double goal = tolerance * std::sqrt(inner_product(residual, residual));
   multiply(left, image);
-  over_rows([&](std::size_t r) {
-    segment(residual, r) -= segment(image, r);
-    segment(z, r) = inverse_[r] * segment(residual, r);
-  });
+  const auto over_chunk = [&](std::size_t c, const auto& work) {
+    for (std::size_t r = c * chunk; r < std::min((c + 1) * chunk, rows); ++r) work(r);
+  };
+  // Goes a step along p; returns the square of the residual.
+  const auto go = [&](double step) {
+    return sum_of_chunks(rows, [&](std::size_t c) {
+      over_chunk(c, [&](std::size_t r) {
+        segment(left, r) += step * segment(p, r);
+        segment(residual, r) -= step * segment(image, r);
+        segment(z, r).noalias() = inverse_[r] * segment(residual, r);
+      });
+      return part_of_product(residual, residual, c);
+    });
+  };
+  for (std::size_t k = 0; k < size; ++k) residual[k] -= image[k];
+  double square = go(0);
   add_coarse(residual, z);
   p = z;
   double rz = inner_product(residual, z);
   Result result;
   const int most = 1000 + 20 * static_cast<int>(std::min(size, std::size_t{1000000}));
-  while (true) {
-    if (std::sqrt(inner_product(residual, residual)) <= goal) break;
-    multiply(p, image);
-    const double curvature = inner_product(p, image);
+  while (std::sqrt(square) > goal) {
+    const double curvature = sum_of_chunks(rows, [&](std::size_t c) {
+      multiply_chunk(c, p, image);
+      return part_of_product(p, image, c);
+    });
     if (!(curvature > 0) || result.iterations == most) {
       result.converged = false;
       result.positive = curvature > 0;
@@ -432,16 +466,14 @@ StiffnessSolver::Result StiffnessSolver::iterate(const Eigen::VectorXd& b, Eigen
       break;
     }
     ++result.iterations;
-    const double step = rz / curvature;
-    over_rows([&](std::size_t r) {
-      segment(left, r) += step * segment(p, r);
-      segment(residual, r) -= step * segment(image, r);
-      segment(z, r).noalias() = inverse_[r] * segment(residual, r);
-    });
+    square = go(rz / curvature);
     add_coarse(residual, z);
     const double next = inner_product(residual, z), ratio = next / rz;
     rz = next;
-    over_rows([&](std::size_t r) { segment(p, r) = segment(z, r) + ratio * segment(p, r); });
+    for_blocks((rows + chunk - 1) / chunk, least_chunks, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = 6 * chunk * first; k < std::min(6 * chunk * last, size); ++k)
+        p[k] = z[k] + ratio * p[k];
+    });
   }
   x = scatter(left, b.size());
   return result;

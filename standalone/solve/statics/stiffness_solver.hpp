@@ -2,7 +2,6 @@
 #ifndef SOLIDEM_SOLVE_STATICS_STIFFNESS_SOLVER_HPP
 #define SOLIDEM_SOLVE_STATICS_STIFFNESS_SOLVER_HPP
 
-#include <array>
 #include <cstdint>
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
@@ -10,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+#include "model/buffer.hpp"
 #include "model/specimen.hpp"
 #include "solve/statics/bond_tangent.hpp"
 #include "solve/statics/linear_method.hpp"
@@ -68,11 +68,16 @@ class StiffnessSolver {
   void make_rows();
   void choose(LinearMethod method);
   double foreseen_iterations() const;
-  Block& diagonal(std::int32_t row) {
-    return block_[static_cast<std::size_t>(start_[static_cast<std::size_t>(row)])];
+  Block& diagonal(std::size_t row) { return block_[diagonal_place(row)]; }
+  const Block& diagonal(std::size_t row) const { return block_[diagonal_place(row)]; }
+  std::size_t diagonal_place(std::size_t row) const {
+    return static_cast<std::size_t>(place_[static_cast<std::size_t>(start_[row])]);
   }
-  const Block& diagonal(std::int32_t row) const {
-    return block_[static_cast<std::size_t>(start_[static_cast<std::size_t>(row)])];
+  /// The block of an entry.
+  Block entry(std::int32_t k) const {
+    const std::int32_t place = place_[static_cast<std::size_t>(k)];
+    if (place >= 0) return block_[static_cast<std::size_t>(place)];
+    return block_[static_cast<std::size_t>(~place)].transpose();
   }
   void hold();
   void make_parts(const Specimen& specimen);
@@ -86,6 +91,9 @@ class StiffnessSolver {
   Result factor_solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
   Result iterate(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) const;
   void multiply(const std::vector<double>& x, std::vector<double>& y) const;
+  /// Of the rows of a chunk.
+  void multiply_chunk(std::size_t number, const std::vector<double>& x,
+                      std::vector<double>& y) const;
   std::vector<double> gather(const Eigen::VectorXd& all) const;
   Eigen::VectorXd scatter(const std::vector<double>& some, Eigen::Index size) const;
 
@@ -93,11 +101,12 @@ class StiffnessSolver {
   std::vector<char> held_;
   double length_;
 
-  // K by rows of 6 × 6 blocks, one row for each element that has a free degree of freedom; the
-  // diagonal block comes first. A bond knows its blocks (i, j) and (j, i), −1 where there is none.
-  std::vector<std::int32_t> row_of_, element_of_, start_, column_;
-  std::vector<std::array<std::int32_t, 2>> place_;
-  std::vector<Block> block_, inverse_;
+  // K by rows of entries, 6 × 6 blocks, one row for each element that has a free degree of freedom;
+  // the diagonal comes first. Of two entries across the diagonal that above it has a block, and the
+  // other the complement of its place: its transpose. A bond knows its block, −1 where there is
+  // none.
+  std::vector<std::int32_t> row_of_, element_of_, start_, column_, place_, block_of_bond_;
+  Buffer<Block> block_, inverse_;
   struct Direction {
     std::int32_t row;
     Segment along;
