@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -21,20 +22,32 @@ constexpr double enough = 2e-3;
 /// Elements in a chunk of a sum: the sum is the same on any number of threads.
 constexpr std::size_t chunk = 1024, least_chunks = 4;
 
-/// Calls work(element) for all, on all threads.
+/// Calls work(first, last, chunk) for chunks of elements, on all threads.
 template <class Work>
-void for_elements(std::size_t elements, const Work& work) {
+void for_chunks(std::size_t elements, const Work& work) {
   for_blocks((elements + chunk - 1) / chunk, least_chunks, [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from * chunk; i < std::min(to * chunk, elements); ++i) work(i);
+    for (std::size_t c = from; c < to; ++c) work(c * chunk, std::min((c + 1) * chunk, elements), c);
   });
 }
 
-/// The sum of what `part` makes of each element.
-template <class Part>
-double sum_over(std::size_t elements, const Part& part) {
-  std::vector<double> sums((elements + chunk - 1) / chunk, 0.0);
-  for_elements(elements, [&](std::size_t i) { sums[i / chunk] += part(i); });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+/// Calls work(element) for all, on all threads.
+template <class Work>
+void for_elements(std::size_t elements, const Work& work) {
+  for_chunks(elements, [&](std::size_t first, std::size_t last, std::size_t /*chunk*/) {
+    for (std::size_t i = first; i < last; ++i) work(i);
+  });
+}
+
+/// What `join` makes, chunk by chunk, of what `part` makes of each element; from zero.
+template <class Part, class Join>
+double joined(std::size_t elements, const Part& part, const Join& join) {
+  std::vector<double> parts((elements + chunk - 1) / chunk, 0.0);
+  for_chunks(elements, [&](std::size_t first, std::size_t last, std::size_t c) {
+    double whole = 0;
+    for (std::size_t i = first; i < last; ++i) whole = join(whole, part(i));
+    parts[c] = whole;
+  });
+  return std::accumulate(parts.begin(), parts.end(), 0.0, join);
 }
 
 /// The largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's sequence.
@@ -84,14 +97,15 @@ class NearRest {
 
   /// M⁻¹ K shape, from the forces of the shape at a small size.
   void find_image(const std::vector<double>& shape, std::vector<double>& image) const {
-    std::vector<double> largest((elements_ + chunk - 1) / chunk, 0.0);
-    for_elements(elements_, [&](std::size_t i) {
-      for (std::size_t k = 0; k < 6; ++k)
-        largest[i / chunk] =
-            std::max(largest[i / chunk],
-                     std::fabs(shape[6 * i + k]) * (k < 3 ? 1.0 : model_.specimen().radius[i]));
-    });
-    const double size = *std::max_element(largest.begin(), largest.end());
+    const double size = joined(
+        elements_,
+        [&](std::size_t i) {
+          const double* u = &shape[6 * i];
+          const double turn = std::max({std::fabs(u[3]), std::fabs(u[4]), std::fabs(u[5])});
+          return std::max({std::fabs(u[0]), std::fabs(u[1]), std::fabs(u[2]),
+                           turn * model_.specimen().radius[i]});
+        },
+        [](double a, double b) { return std::max(a, b); });
     place(shape, amplitude_ / size);
     const double scale = -size / amplitude_;
     const double* spin = has_rotation_ ? model_.data(columns::angular_velocity) : nullptr;
@@ -109,12 +123,15 @@ class NearRest {
   double product(const std::vector<double>& a, const std::vector<double>& b) const {
     const double* inverse_mass = model_.data(columns::inverse_mass);
     const double* inverse_inertia = has_rotation_ ? model_.data(columns::inverse_inertia) : nullptr;
-    return sum_over(elements_, [&](std::size_t i) {
-      const double *u = &a[6 * i], *v = &b[6 * i];
-      double sum = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / inverse_mass[i];
-      if (has_rotation_) sum += (u[3] * v[3] + u[4] * v[4] + u[5] * v[5]) / inverse_inertia[i];
-      return sum;
-    });
+    return joined(
+        elements_,
+        [&](std::size_t i) {
+          const double *u = &a[6 * i], *v = &b[6 * i];
+          double sum = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / inverse_mass[i];
+          if (has_rotation_) sum += (u[3] * v[3] + u[4] * v[4] + u[5] * v[5]) / inverse_inertia[i];
+          return sum;
+        },
+        std::plus<double>());
   }
 
  private:
@@ -157,11 +174,16 @@ class NearRest {
 double largest_squared_frequency(const NearRest& body) {
   std::vector<double> shape = body.random_shape();
   std::vector<double> last(shape.size(), 0.0), image(shape.size(), 0.0);
+  const auto for_numbers = [&](const auto& work) {
+    for_elements(shape.size() / 6, [&](std::size_t i) {
+      for (std::size_t k = 6 * i; k < 6 * i + 6; ++k) work(k);
+    });
+  };
   std::vector<double> diagonal, beside, found;
   double norm = std::sqrt(body.product(shape, shape));
   while (norm > 0) {
     const double scale = 1 / norm;
-    for (double& u : shape) u *= scale;
+    for_numbers([&](std::size_t k) { shape[k] *= scale; });
     body.find_image(shape, image);
     diagonal.push_back(body.product(shape, image));
     const double along = diagonal.back(), before = beside.empty() ? 0 : beside.back();

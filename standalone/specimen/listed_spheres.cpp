@@ -27,6 +27,7 @@ class SpheresInCells {
  public:
   explicit SpheresInCells(const SpheresToList& spheres)
       : cells_(spheres.box, 2.0 * spheres.largest_radius + spheres.skin, spheres.size) {
+    for (const bool periodic : spheres.box.periodic) is_periodic_ = is_periodic_ || periodic;
     const double* ball = spheres.ball;
     std::vector<Vector> position(spheres.size);
     for (std::size_t i = 0; i < spheres.size; ++i)
@@ -45,6 +46,8 @@ class SpheresInCells {
   }
 
   const LinkedCells& cells() const { return cells_; }
+  bool is_periodic() const { return is_periodic_; }
+  std::size_t size() const { return radius_.size(); }
   SortedSpheres columns() const { return {x_.data(), y_.data(), z_.data(), reach_.data()}; }
   double radius(std::size_t k) const { return radius_[k]; }
   /// For the few bodies in which a cell stands beside itself: whether a sphere is near the nearest
@@ -57,6 +60,7 @@ class SpheresInCells {
 
  private:
   LinkedCells cells_;
+  bool is_periodic_ = false;
   std::vector<double> x_, y_, z_, reach_, radius_;
 };
 
@@ -69,7 +73,7 @@ class NeighbourSearch {
   void list(std::size_t cell, ListsFound& lists) {
     const LinkedCells& cells = spheres_->cells();
     if (cells.first_of(cell) == cells.first_of(cell + 1)) return;
-    find_ranges(cell);
+    spheres_->is_periodic() ? find_ranges(cell) : find_plain_ranges(cell);
     for (std::size_t k = cells.first_of(cell); k < cells.first_of(cell + 1); ++k) {
       const std::size_t near = pick(k), began = lists.neighbour.size();
       for (std::size_t n = 0; n < near; ++n)
@@ -81,6 +85,22 @@ class NeighbourSearch {
   }
 
  private:
+  // Without periods the order of the pairs is that of the cells.
+  void find_plain_ranges(std::size_t cell) {
+    spheres_->cells().find_ranges_around(cell, plain_ranges_);
+    std::size_t spheres = 0;
+    ranges_.clear();
+    for (const LinkedCells::Range& range : plain_ranges_) {
+      ranges_.push_back({range.first, range.last, {}});
+      spheres += range.last - range.first;
+    }
+    make_room(spheres);
+  }
+
+  void make_room(std::size_t spheres) {
+    if (near_.size() < spheres + lanes) near_.resize(2 * spheres + lanes);
+  }
+
   void find_ranges(std::size_t cell) {
     const LinkedCells& cells = spheres_->cells();
     std::array<LinkedCells::CellImage, 27> around{};
@@ -100,7 +120,7 @@ class NeighbourSearch {
                            {image.periods[0] * extent.x, image.periods[1] * extent.y,
                             image.periods[2] * extent.z}});
     }
-    if (near_.size() < spheres + lanes) near_.resize(2 * spheres + lanes);
+    make_room(spheres);
   }
 
   std::size_t pick(std::size_t k) {
@@ -113,6 +133,7 @@ class NeighbourSearch {
 
   const SpheresInCells* spheres_;
   bool is_own_neighbour_;
+  std::vector<LinkedCells::Range> plain_ranges_;
   std::vector<SphereRange> ranges_;
   std::vector<std::uint32_t> near_;
 };
@@ -120,10 +141,13 @@ class NeighbourSearch {
 std::vector<ListsFound> find_lists(const SpheresInCells& spheres, bool on_all_threads) {
   const std::size_t cell_count = spheres.cells().cell_count();
   const std::size_t parts = std::min<std::size_t>(cell_count, 64);
+  constexpr std::size_t usual_neighbours = 12;
   std::vector<ListsFound> found(parts);
   for_each_part_with(
       parts, on_all_threads, [&] { return NeighbourSearch(spheres); },
       [&](NeighbourSearch& search, std::size_t part) {
+        found[part].owners.reserve(spheres.size() / parts);
+        found[part].neighbour.reserve(usual_neighbours * spheres.size() / parts);
         for (std::size_t cell = cell_count * part / parts; cell < cell_count * (part + 1) / parts;
              ++cell)
           search.list(cell, found[part]);
