@@ -49,6 +49,7 @@ def test_drops_styles_laws_and_pages_into_a_tree(tmp_path: Path) -> None:
     for dropped in (tree / "src").glob("*solidem*"):
         dropped.unlink()
     shutil.rmtree(tree / "src" / "laws")
+    shutil.rmtree(tree / "src" / "effects")
     before = {path.relative_to(tree): path.read_bytes() for path in (tree / "src").glob("*.*")}
 
     done = install("--source", str(tree), "--drop-only")
@@ -57,6 +58,8 @@ def test_drops_styles_laws_and_pages_into_a_tree(tmp_path: Path) -> None:
         assert (tree / "src" / file.name).read_bytes() == file.read_bytes()
     for file in (CONTRIB.parents[1] / "standalone" / "laws").glob("*.hpp"):
         assert (tree / "src" / "laws" / file.name).read_bytes() == file.read_bytes()
+    pack = Path("effects/kernels/pack.hpp")
+    assert (tree / "src" / pack).read_bytes() == (CONTRIB.parents[1] / "standalone" / pack).read_bytes()
     for file in (CONTRIB / "doc").iterdir():
         assert (tree / "doc" / file.name).read_bytes() == file.read_bytes()
     for path, text in before.items():  # no core edits, beyond the compiler's patches made before
@@ -75,7 +78,8 @@ def test_runs_no_words_of_the_path_that_it_stands_in(tmp_path: Path) -> None:
         pytest.skip("LIGGGHTS is not there")
     tree = tmp_path / 'a $(touch ran) `touch ran` "; touch ran; " {} \'b'
     shutil.copytree(CONTRIB, tree / "contrib/liggghts")
-    shutil.copytree(CONTRIB.parents[1] / "standalone/laws", tree / "standalone/laws")
+    for folder in ("laws", "effects/kernels"):
+        shutil.copytree(CONTRIB.parents[1] / "standalone" / folder, tree / "standalone" / folder)
     # A compiler that only makes the file that it is asked for, and says what it was given.
     tools = tmp_path / "tools"
     tools.mkdir()

@@ -21,27 +21,13 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
-#include "laws/rigid_sphere.hpp"
 #include "memory.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "solidem_beam_words.h"
 #include "solidem_restart.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
-
-namespace {
-
-typedef solidem::Vector3<double> Vector;
-
-void add(double* a, const Vector& b) {
-  a[0] += b.x;
-  a[1] += b.y;
-  a[2] += b.z;
-}
-
-}  // namespace
 
 BondSolidemBeam::BondSolidemBeam(LAMMPS* liggghts)
     : Bond(liggghts),
@@ -54,7 +40,8 @@ BondSolidemBeam::BondSolidemBeam(LAMMPS* liggghts)
       damping_power_(0.0),
       damping_power_now_(0.0),
       contact_energy_(0.0),
-      broke_(0) {
+      broke_(0),
+      list_is_new_(true) {
   n_granhistory(SolidemBondMemory::ELASTIC);
 }
 
@@ -104,6 +91,7 @@ void BondSolidemBeam::init_style() {
     error->all(FLERR,
                "Bond style solidem/beam: bonds that break in a periodic box need newton_bond on "
                "('newton off on')");
+  forget_list();
   orientation = static_cast<FixPropertyAtom*>(modify->find_fix_property(
       "orientation", "property/atom", "vector", 4, 0, "bond solidem/beam"));
   find_heat();
@@ -146,7 +134,7 @@ SolidemBondEnds BondSolidemBeam::ends(int& i, int& j) const {
   const double* b = atom->x[j];
   const double* p = orientation->array_atom[i];
   const double* q = orientation->array_atom[j];
-  SolidemBondEnds place = {Vector{b[0], b[1], b[2]} - Vector{a[0], a[1], a[2]},
+  SolidemBondEnds place = {solidem_vector(b) - solidem_vector(a),
                            {p[0], {p[1], p[2], p[3]}},
                            {q[0], {q[1], q[2], q[3]}},
                            atom->radius[i],
@@ -172,58 +160,23 @@ void BondSolidemBeam::compute(int eflag, int vflag) {
   orientation->do_forward_comm();
   prepare_heat();
   if (motion_at_pose) lead_motion();
-
-  double** f = atom->f;
-  double** torque = atom->torque;
-  const int nlocal = atom->nlocal;
-  const int newton_bond = force->newton_bond;
-  const double step = static_cast<double>(update->ntimestep);
   contact_energy_ = 0.0;
   broke_ = 0;
 
-  for (int n = 0; n < neighbor->nbondlist; n++) {
-    int i = neighbor->bondlist[n][0];
-    int j = neighbor->bondlist[n][1];
-    const SolidemBondEnds place = ends(i, j);
-    const SolidemBeam& beam = beams[neighbor->bondlist[n][2]];
-    double* history = neighbor->bondhistlist[n];
-    SolidemBondAction action = beam.act(history, place, step, eflag);
-    if (motion_at_pose && beam.damps(history)) damp(beam, history, place, i, j, action.load);
+  if (list_is_new_) arrange();
+  gather_poses();
+  if (motion_at_pose) gather_motion();
+  loads_.assign(poses_.size(), SolidemRow());
+  for (SolidemBondPacks& packs : packs_) act(packs, evflag);
+  hand_loads_on();
 
-    if (newton_bond || i < nlocal) {
-      add(f[i], action.load.force);
-      add(torque[i], action.load.moment_i);
-    }
-    if (newton_bond || j < nlocal) {
-      add(f[j], -action.load.force);
-      add(torque[j], action.load.moment_j);
-    }
-    if (action.heat_i != 0.0 || action.heat_j != 0.0) give_heat(i, j, action);
-    if (action.contact_energy != 0.0)
-      contact_energy_ += owned_fraction(i, j) * action.contact_energy;
-    if (action.breaks || action.forms || action.fracture_energy != 0.0)
-      enter(action, owned_fraction(i, j));
-    if (evflag) {
-      const double d[3] = {-place.chord.x, -place.chord.y, -place.chord.z};
-      const Vector& force_i = action.load.force;
-      const double on_i[3] = {force_i.x, force_i.y, force_i.z};
-      tally(i, j, action.elastic_energy + action.contact_energy, d, on_i);
-    }
-  }
   if (motion_at_pose) enter_damping();
-  if (waiting_heat && newton_bond) waiting_heat->do_reverse_comm();
+  if (waiting_heat && force->newton_bond) waiting_heat->do_reverse_comm();
 }
 
 void BondSolidemBeam::prepare_heat() {
   if (temperature) temperature->do_forward_comm();
   if (waiting_heat) std::fill_n(waiting_heat->vector_atom + atom->nlocal, atom->nghost, 0.0);
-}
-
-// It waits there until heat steps; with newton_bond off the other rank sees the bond too.
-void BondSolidemBeam::give_heat(int i, int j, const SolidemBondAction& action) {
-  double* waiting = waiting_heat->vector_atom;
-  if (force->newton_bond || i < atom->nlocal) waiting[i] += action.heat_i;
-  if (force->newton_bond || j < atom->nlocal) waiting[j] += action.heat_j;
 }
 
 /* ----------------------------------------------------------------------
@@ -250,64 +203,11 @@ void BondSolidemBeam::lead_motion() {
   motion_at_pose->do_forward_comm();
 }
 
-// Adds the loads of a bond's dashpots to those of its beam; i has the lower tag.
-void BondSolidemBeam::damp(const SolidemBeam& beam, const double* history,
-                           const SolidemBondEnds& place, int i, int j,
-                           solidem::BeamLoad<double>& load) {
-  const double* a = motion_at_pose->array_atom[i];
-  const double* b = motion_at_pose->array_atom[j];
-  const double mass_i = atom->rmass[i], mass_j = atom->rmass[j];
-  const solidem::DashpotAction<double> action = beam.damp(
-      history, place,
-      {solidem_vector(b) - solidem_vector(a), solidem_vector(a + 3), solidem_vector(b + 3)},
-      {1.0 / mass_i + 1.0 / mass_j, 1.0 / solidem::sphere_inertia(mass_i, atom->radius[i]) +
-                                        1.0 / solidem::sphere_inertia(mass_j, atom->radius[j])});
-  load.force += action.load.force;
-  load.moment_i += action.load.moment_i;
-  load.moment_j += action.load.moment_j;
-  damping_power_now_ += owned_fraction(i, j) * action.power;
-}
-
 void BondSolidemBeam::enter_damping() {
   if (!update->setupflag)
     ledger.damping += 0.5 * update->dt * (damping_power_ + damping_power_now_);
   damping_power_ = damping_power_now_;
   damping_power_now_ = 0.0;
-}
-
-void BondSolidemBeam::enter(const SolidemBondAction& action, double fraction) {
-  ledger.fracture_energy += fraction * action.fracture_energy;
-  ledger.broken += fraction * action.breaks;
-  ledger.formed += fraction * action.forms;
-  broke_ += action.breaks;
-  if (action.breaks && ledger.first_rupture == 0.0)
-    ledger.first_rupture = static_cast<double>(update->ntimestep) + 1.0;
-}
-
-/* ----------------------------------------------------------------------
-   energy and virial, half to either atom; `d` from j to i, `f` on i.
-   Bond::ev_tally is for central forces; a beam also shears, so the virial
-   is the symmetric part of d f (its skew part belongs to the moments)
-------------------------------------------------------------------------- */
-
-void BondSolidemBeam::tally(int i, int j, double energy_of_bond, const double* d, const double* f) {
-  const double v[6] = {d[0] * f[0],
-                       d[1] * f[1],
-                       d[2] * f[2],
-                       0.5 * (d[0] * f[1] + d[1] * f[0]),
-                       0.5 * (d[0] * f[2] + d[2] * f[0]),
-                       0.5 * (d[1] * f[2] + d[2] * f[1])};
-  const int ends[2] = {i, j};
-  for (int side = 0; side < 2; side++) {
-    const int end = ends[side];
-    if (!force->newton_bond && end >= atom->nlocal) continue;
-    if (eflag_global) energy += 0.5 * energy_of_bond;
-    if (eflag_atom) eatom[end] += 0.5 * energy_of_bond;
-    for (int k = 0; k < 6; k++) {
-      if (vflag_global) virial[k] += 0.5 * v[k];
-      if (vflag_atom) vatom[end][k] += 0.5 * v[k];
-    }
-  }
 }
 
 void BondSolidemBeam::allocate() {
@@ -334,6 +234,7 @@ void BondSolidemBeam::coeff(int narg, char** arg) {
     beams[type] = beam;
     setflag[type] = 1;
   }
+  forget_list();
   if (low > high) error->all(FLERR, "Bond style solidem/beam: no such bond type in bond_coeff");
   widen_history();
 }

@@ -22,6 +22,7 @@ BondStyle(solidem/beam,BondSolidemBeam)
 
 #include "bond.h"
 #include "solidem_beam.h"
+#include "solidem_bond_packs.h"
 
 namespace LAMMPS_NS {
 
@@ -61,6 +62,8 @@ class BondSolidemBeam : public Bond {
   bool may_expand() const;
   /// The ends of a bond between two atoms of this rank, ghosts included; i is made the lower tag.
   SolidemBondEnds ends(int& i, int& j) const;
+  /// The list of bonds is about to be made anew.
+  void forget_list() { list_is_new_ = true; }
   /// How many bonds of this rank broke at the last step.
   int broke() const { return broke_; }
   /// Energy of the contacts of broken bonds at the last step, this rank's share.
@@ -80,6 +83,10 @@ class BondSolidemBeam : public Bond {
   double damping_power_, damping_power_now_;  // at the last step and at this, this rank's share
   double contact_energy_;
   int broke_;
+  bool list_is_new_;
+  std::vector<SolidemBondPacks> packs_;    // by bond type
+  std::vector<SolidemRow> poses_, loads_;  // of atoms, ghosts included
+  std::vector<SolidemRow> motion_;         // the same, if bonds are damped
 
   void allocate();
   void widen_history();
@@ -88,10 +95,17 @@ class BondSolidemBeam : public Bond {
   void prepare_heat();
   void give_heat(int i, int j, const SolidemBondAction& action);
   void lead_motion();
-  void damp(const SolidemBeam& beam, const double* history, const SolidemBondEnds& place, int i,
-            int j, solidem::BeamLoad<double>& load);
+  void damp(const SolidemBondPacks& packs, int bond, const SolidemBondEnds& place,
+            solidem::BeamLoad<double>& load);
   void enter_damping();
-  void tally(int, int, double, const double*, const double*);
+  void tally(int i, int j, double energy_of_bond, const solidem::Vector3<double>& force_on_i);
+
+  void arrange();
+  void gather_poses();
+  void gather_motion();
+  void act(SolidemBondPacks& packs, bool asked);
+  void act_alone(SolidemBondPacks& packs, int bond, bool asked);
+  void hand_loads_on();
 };
 
 }  // namespace LAMMPS_NS

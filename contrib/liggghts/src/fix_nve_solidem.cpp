@@ -15,8 +15,8 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
-#include "laws/rigid_sphere.hpp"
 #include "modify.h"
+#include "solidem_kernels.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -51,45 +51,27 @@ void FixNVESolidem::init() {
       modify->find_fix_property("removedAtom", "property/atom", "scalar", 0, 0, style, false));
 }
 
-bool FixNVESolidem::moves(int i) const {
-  return (atom->mask[i] & groupbit) && !(removed && removed->vector_atom[i] != 0.0);
-}
-
 void FixNVESolidem::reset_dt() {
   step = update->dt;
   half_step_over_force_unit = 0.5 * update->dt * force->ftm2v;
 }
 
-// Half a step of velocity and angular velocity.
-void FixNVESolidem::kick(int i) {
-  const double per_mass = half_step_over_force_unit / atom->rmass[i];
-  const double per_inertia =
-      half_step_over_force_unit / solidem::sphere_inertia(atom->rmass[i], atom->radius[i]);
-  for (int k = 0; k < 3; k++) {
-    if (translates) atom->v[i][k] += per_mass * atom->f[i][k];
-    atom->omega[i][k] += per_inertia * atom->torque[i][k];
-  }
+// Half a step of velocity and angular velocity, then the way of `drift`, a time.
+void FixNVESolidem::move(double drift) {
+  const int all = atom->nlocal;
+  if (all == 0) return;
+  moving.resize(all);
+  for (int i = 0; i < all; i++)
+    moving[i] = (atom->mask[i] & groupbit) && !(removed && removed->vector_atom[i] != 0.0);
+  solidem_kernels().move({all, atom->x[0], atom->v[0], atom->omega[0], orientation->array_atom[0],
+                          atom->f[0], atom->torque[0], atom->rmass, atom->radius, moving.data(),
+                          translates, half_step_over_force_unit, drift});
 }
 
 void FixNVESolidem::initial_integrate(int) {
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!moves(i)) continue;
-    kick(i);
-    if (translates)
-      for (int k = 0; k < 3; k++) atom->x[i][k] += step * atom->v[i][k];
-    double* q = orientation->array_atom[i];
-    const double* omega = atom->omega[i];
-    const solidem::Quaternion<double> turned =
-        solidem::turn(solidem::Quaternion<double>{q[0], {q[1], q[2], q[3]}},
-                      solidem::Vector3<double>{omega[0], omega[1], omega[2]}, step);
-    q[0] = turned.w;
-    q[1] = turned.v.x;
-    q[2] = turned.v.y;
-    q[3] = turned.v.z;
-  }
+  move(step);
 }
 
 void FixNVESolidem::final_integrate() {
-  for (int i = 0; i < atom->nlocal; i++)
-    if (moves(i)) kick(i);
+  move(0.0);
 }

@@ -18,6 +18,8 @@ FixStyle(nve/solidem,FixNVESolidem)
 #ifndef LMP_FIX_NVE_SOLIDEM_H
 #define LMP_FIX_NVE_SOLIDEM_H
 
+#include <vector>
+
 #include "fix.h"
 
 namespace LAMMPS_NS {
@@ -38,8 +40,9 @@ class FixNVESolidem : public Fix {
   bool translates;
   class FixPropertyAtom *orientation, *removed;
 
-  bool moves(int) const;
-  void kick(int);
+  std::vector<char> moving;  // each atom?
+
+  void move(double drift);
 };
 
 }  // namespace LAMMPS_NS

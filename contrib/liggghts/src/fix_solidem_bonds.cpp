@@ -330,6 +330,7 @@ void FixSolidemBonds::setup_pre_neighbor() {
 void FixSolidemBonds::pre_neighbor() {
   history->settle_all();
   contacts_are_new = true;
+  if (beams) beams->forget_list();
 }
 
 void FixSolidemBonds::require_bonds_switched_on() const {

@@ -12,58 +12,16 @@
 
 #include <stddef.h>
 
-#include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include "laws/beam_flow.hpp"
 #include "laws/bond_damping.hpp"
 #include "laws/bond_limit.hpp"
+#include "solidem_bond_memory.h"
 #include "solidem_over_temperature.h"
 
 namespace LAMMPS_NS {
-
-/// What a bond remembers, from the lower tag to the higher: places in its row of numbers. An
-/// elastic bond needs the first four alone.
-struct SolidemBondMemory {
-  enum Place {
-    NORMAL_I = 0,        ///< 3: normal of the section at i, in body axes of i
-    REST_LENGTH = 3,     ///< at the reference temperature; zero: the bond was not yet seen
-    NORMAL_J = 4,        ///< 3: the same at j, in body axes of j
-    EXTENSION = 7,       ///< plastic part
-    TWIST = 8,           ///< plastic part
-    PLASTIC_STRAIN = 9,  ///< equivalent, never decreasing
-    PLASTIC_WORK = 10,   ///< so far
-    RUPTURE = 11,  ///< 0: whole; s + 1: broke at step s; s + 1.5: cut at step s; -(s + 2): made
-                   ///< anew at step s, from the next one on it is whole; GONE: apart for good
-    FLOW = 12,     ///< s + 1: last flowed at step s; broken: where its atoms touch; made anew: the
-                   ///< push at that step
-    ENERGY = 13,   ///< broken: its energy when it acted for the last time
-    LAST = 14,  ///< 9: elastic deformation in the last pose: leans of both ends, extension (beyond
-                ///< REST_LENGTH, however warm the bond was), twist; and, broken, the contact's push
-                ///< there
-    REST_DIRECTION = 23,  ///< 3: direction when it was made, in body axes
-    FLOW_RATE = 26,       ///< of the plastic strain, averaged, when it last flowed
-    LAST_SEEN_BY_J = 27,  ///< 6: the leans of LAST, in body axes of j
-  };
-  /// Numbers of a bond that is elastic; may flow or break; flows by the scaled offset; feels the
-  /// rate of its flow; heats its atoms.
-  enum Width {
-    ELASTIC = 4,
-    CHANGING = 23,
-    WITH_REST_DIRECTION = 26,
-    WITH_RATE = 27,
-    WITH_HEAT = 33
-  };
-  static constexpr double GONE = -1.0;
-  static bool is_gone(const double* memory) { return memory[RUPTURE] == GONE; }
-  static bool is_cut(const double* memory) {
-    return memory[RUPTURE] > 0.0 && memory[RUPTURE] != std::floor(memory[RUPTURE]);
-  }
-  static bool is_whole(const double* memory) {
-    return memory[RUPTURE] == 0.0 || memory[RUPTURE] < GONE;
-  }
-};
 
 /// Where the two atoms of a bond stand and how warm they are; i has the lower tag.
 struct SolidemBondEnds {
@@ -129,8 +87,22 @@ struct SolidemBeam {
   }
   bool is_offset() const { return flows && flow_rule == solidem::FlowRule::scaled_offset; }
   bool may_change() const { return flows || may_break(); }
+  /// Are all bonds of this type as stiff as one another, however long they are?
+  bool all_have_one_section() const { return radius > 0.0 && law != TIMOSHENKO && !softens(); }
+  /// Is there a strain up to which no bond flows or breaks, seen at its middle alone?
+  bool has_bound_of_limit() const {
+    const solidem::JudgedSection middle = solidem::JudgedSection::middle;
+    return !may_change() || (!is_offset() && yield_section == middle && rupture_section == middle);
+  }
   /// Numbers of SolidemBondMemory that a bond of this type needs.
   int width() const;
+
+  /// Makes a bond that was not yet seen: free of load in this pose.
+  void make(double* memory, const SolidemBondEnds& ends) const;
+  /// The bond as warm as its atoms are.
+  solidem::YieldingBeam<double> beam(const double* memory, const SolidemBondEnds& ends) const;
+  /// The strain up to which the bond surely neither flows nor breaks, if there is such a bound.
+  double limit(const double* memory, const SolidemBondEnds& ends) const;
 
   /// What the bond does in the pose of this step, which is thereby accepted: the memory moves on. A
   /// second call in the same pose at the same step gives the same loads and changes nothing. A bond
@@ -166,7 +138,6 @@ struct SolidemBeam {
   };
 
   double beam_radius(const SolidemBondEnds& ends) const;
-  solidem::YieldingBeam<double> beam(const double* memory, const SolidemBondEnds& ends) const;
   solidem::YieldingBeam<double> cold_beam(const SolidemBondEnds& ends, double rest_length) const;
   solidem::BeamHistory<double> history(const double* memory) const;
   solidem::BeamModes<double> last_modes(const double* memory, double rest_length) const;
@@ -176,7 +147,6 @@ struct SolidemBeam {
   bool acts_as_beam(const double* memory, double step) const;
   bool made_anew(const double* memory, double step) const;
 
-  void make(double* memory, const SolidemBondEnds& ends) const;
   bool may_reach_limit(const double* memory, const SolidemBondEnds& ends,
                        const solidem::YieldingBeam<double>& bond, const State& now) const;
   solidem::BondStrain<double> flow(double* memory, const SolidemBondEnds& ends,
@@ -302,19 +272,20 @@ inline SolidemBeam::State SolidemBeam::state(const double* memory, const Solidem
   return now;
 }
 
+inline double SolidemBeam::limit(const double* memory, const SolidemBondEnds& ends) const {
+  return solidem::limit_strain(flows ? &hardening : NULL, solidem::FlowRule::radial_return,
+                               breaks ? &rupture : NULL, memory[SolidemBondMemory::PLASTIC_STRAIN],
+                               {}, ends.temperature());
+}
+
 // Most bonds are far from any limit, which a bound without a root tells.
 inline bool SolidemBeam::may_reach_limit(const double* memory, const SolidemBondEnds& ends,
                                          const solidem::YieldingBeam<double>& bond,
                                          const State& now) const {
-  const solidem::JudgedSection middle = solidem::JudgedSection::middle;
-  if (is_offset() || yield_section != middle || rupture_section != middle) return true;
-  const double limit =
-      bond.rest_length *
-      solidem::limit_strain(flows ? &hardening : NULL, solidem::FlowRule::radial_return,
-                            breaks ? &rupture : NULL, memory[SolidemBondMemory::PLASTIC_STRAIN], {},
-                            ends.temperature());
+  if (!has_bound_of_limit()) return true;
+  const double most = bond.rest_length * limit(memory, ends);
   return solidem::bound_of_squared_extension(bond.radius, bond.shear_ratio, now.pose,
-                                             now.deformation) > limit * limit;
+                                             now.deformation) > most * most;
 }
 
 inline SolidemBondAction SolidemBeam::act(double* memory, const SolidemBondEnds& ends, double step,
