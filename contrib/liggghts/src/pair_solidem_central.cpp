@@ -141,6 +141,7 @@ const std::vector<PairSolidemCentral::Listed>& PairSolidemCentral::listed() {
   if (list_is_current_) return listed_;
   if (settings_.remembers() && !memory_->knows()) remember_initial_pairs();
   make_list();
+  make_columns();
   list_is_current_ = true;
   return listed_;
 }
@@ -206,61 +207,6 @@ PairSolidemCentral::Seen PairSolidemCentral::see(int i, int j) const {
 bool PairSolidemCentral::are_on_opposite_faces(int i, int j, const Vector& chord) const {
   return damage_ && damage_->finds_crack_faces() &&
          solidem::on_opposite_faces(damage_->barycentre(i), damage_->barycentre(j), chord);
-}
-
-void PairSolidemCentral::compute(int eflag, int vflag) {
-  if (eflag || vflag)
-    ev_setup(eflag, vflag);
-  else
-    evflag = vflag_fdotr = 0;
-  listed();
-  memory_->totals.interactions = 0.0;
-  std::visit([&](const auto& law) { compute_by(law); }, settings_.law);
-}
-
-template <class Law>
-void PairSolidemCentral::compute_by(const Law& law) {
-  double** f = atom->f;
-  double compression_ratio = 0.0, power = 0.0;
-  for (const Listed& pair : listed_) {
-    const int i = pair.i, j = pair.j;
-    const Seen seen = see(i, j);
-    if (!seen.inside) continue;
-    double push =
-        solidem::central_force(law, settings_.interpenetration, seen.distance, pair.equilibrium)
-            .force;
-    if (push < 0.0 && are_on_opposite_faces(i, j, seen.chord)) push = 0.0;
-    const bool both = j < atom->nlocal;
-    const double fraction = both ? 1.0 : 0.5;
-    if (settings_.dissipation > 0.0) {
-      const double drag =
-          solidem::dissipative_force(settings_.dissipation, seen.chord, 1.0 / seen.distance,
-                                     vector(atom->v[i]) - vector(atom->v[j]));
-      push += drag;
-      power += fraction * drag * drag / settings_.dissipation;
-    }
-    const double over_distance = push / seen.distance;
-    const double chord[3] = {seen.chord.x, seen.chord.y, seen.chord.z};
-    for (int k = 0; k < 3; k++) {
-      f[i][k] -= over_distance * chord[k];
-      if (both) f[j][k] += over_distance * chord[k];
-    }
-    memory_->totals.interactions += fraction;
-    compression_ratio = std::max(compression_ratio, pair.equilibrium / seen.distance);
-    if (evflag) {
-      const double radii = atom->radius[i] + atom->radius[j];
-      const double energy =
-          eflag_either
-              ? solidem::central_potential(law, settings_.interpenetration, settings_.range * radii,
-                                           seen.distance, pair.equilibrium)
-              : 0.0;
-      ev_tally(i, j, atom->nlocal, 0, energy, 0.0, over_distance, -chord[0], -chord[1], -chord[2]);
-    }
-  }
-  memory_->dissipate(power);
-  if (compression_ratio > 0.0)
-    memory_->totals.interpenetration =
-        std::max(memory_->totals.interpenetration, 1.0 - 1.0 / compression_ratio);
 }
 
 /* ----------------------------------------------------------------------

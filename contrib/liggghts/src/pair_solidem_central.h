@@ -24,6 +24,7 @@ PairStyle(solidem/central,PairSolidemCentral)
 #include "laws/algebra.hpp"
 #include "pair.h"
 #include "solidem_central.h"
+#include "solidem_kernels.h"
 
 namespace LAMMPS_NS {
 
@@ -75,6 +76,9 @@ class PairSolidemCentral : public Pair {
   std::vector<double> largest_radius_;  // of each atom type
   std::vector<Listed> listed_;
   bool list_is_current_;
+  // The same in columns, and what a step needs of atoms: SolidemCentralPacks.
+  std::vector<int> i_, j_;
+  std::vector<SolidemRow> equilibrium_, owned_, atoms_, faces_, loads_, told_;
 
   void allocate();
   std::string read_words(FILE*);
@@ -84,8 +88,11 @@ class PairSolidemCentral : public Pair {
   void make_list();
   double equilibrium(int i, int j) const;
   bool are_on_opposite_faces(int i, int j, const solidem::Vector3<double>& chord) const;
-  template <class Law>
-  void compute_by(const Law& law);
+  void make_columns();
+  void gather_atoms();
+  void gather_faces();
+  void hand_loads_on();
+  void tally_pairs();
 };
 
 }  // namespace LAMMPS_NS

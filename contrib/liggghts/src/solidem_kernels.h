@@ -52,10 +52,31 @@ struct SolidemMovingAtoms {
   double drift;  ///< a time step; 0: velocities alone
 };
 
+/// Pairs of atoms under a central law, many at a time. Where they stand one after the other, i and j
+/// go on to a multiple of eight with the last pair again.
+struct SolidemCentralPacks {
+  int pairs;
+  const int *i, *j;
+  const SolidemRow* equilibrium;  ///< of eight pairs: their distance there
+  const SolidemRow* owned;        ///< of eight pairs: this rank's share
+  const SolidemRow* atoms;  ///< centre, radius (far below zero: it takes no part), velocity, free
+  const SolidemRow* faces;  ///< barycentre that an atom shows; NULL: nobody looks for cracks
+  SolidemRow* loads;        ///< of atoms, added to: force
+  SolidemRow* told;  ///< of pairs: force over distance, distance, inside; NULL: nobody asks
+  double range, interpenetration, dissipation;
+  const void* law;  ///< one of CentralLaws
+  /// Its force where two atoms are too near for it.
+  double (*continued_force)(const void* law, double interpenetration, double distance,
+                            double equilibrium);
+  // Found:
+  double interactions, compression_ratio, power;
+};
+
 /// The loops that take nearly all of the time of a run, compiled for one instruction set.
 struct SolidemKernels {
   void (*act)(SolidemBeamPacks&);
   void (*move)(const SolidemMovingAtoms&);
+  void (*const* pull)(SolidemCentralPacks&);  ///< by laws in the order of CentralLaws
 };
 
 /// The best of this machine. SOLIDEM_INSTRUCTION_SET (baseline, x86_64_v3, x86_64_v4) asks for

@@ -13,6 +13,6 @@
 #define NDEBUG
 #endif
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("O3", "no-math-errno", "no-trapping-math")
+#pragma GCC optimize("O3")
 #endif
 #include "solidem_packs.h"

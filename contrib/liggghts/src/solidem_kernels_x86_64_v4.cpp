@@ -16,13 +16,15 @@
 #endif
 #include <immintrin.h>
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <utility>
+#include <variant>
 
-#pragma GCC optimize("O3", "no-math-errno", "no-trapping-math")
+#pragma GCC optimize("O3")
 #pragma GCC target("avx512f,avx512vl,avx512bw,avx512dq,avx512cd,avx2,fma,bmi,bmi2")
 // g++ 12 has not yet told the preprocessor of that.
 #ifndef __AVX__
