@@ -34,6 +34,8 @@ from contrib.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # 
 
 #: Of the mean radius: how much farther lists look where there are contacts.
 SKIN = 0.2
+#: The same under central forces, if the scene asks for less: LIGGGHTS makes its lists slowly.
+LEAST_SKIN = 0.5
 #: Of a property over temperature that bond_coeff takes.
 MOST_POINTS = 16
 
@@ -321,7 +323,8 @@ def central_lines(specimen: Specimen, parameters: Parameters) -> str:
         raise PreparedError(f"{specimen.path}: the scene has no [central_forces]")
     # Bins do not work in a box that is small beside them.
     search = "bin" if len(specimen.radius) > 100 else "nsq"
-    lines = f"neighbor {full(forces.skin * float(specimen.radius.mean()))} {search}\n"
+    skin = max(forces.skin, LEAST_SKIN) * float(specimen.radius.mean())
+    lines = f"neighbor {full(skin)} {search}\n"
     lines += "neigh_modify delay 0 every 1 check yes once no\n"
     lines += f"pair_style solidem/central {pair_words(forces)}\npair_coeff * *\n"
     if damage and damage_words(damage):

@@ -84,10 +84,12 @@ void FixSolidemTemperature::hold() {
 
 double FixSolidemTemperature::impose() {
   double heat = 0.0, total;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    heat += conduction->heat_capacity(i) * (target - temperature->vector_atom[i]);
-    temperature->vector_atom[i] = target;
+  double* temp = temperature->vector_atom;
+  const int *mask = atom->mask, nlocal = atom->nlocal;
+  for (int i = 0; i < nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    heat += conduction->heat_capacity(i) * (target - temp[i]);
+    temp[i] = target;
   }
   MPI_Allreduce(&heat, &total, 1, MPI_DOUBLE, MPI_SUM, world);
   return total;
