@@ -59,5 +59,8 @@ if(IS_DIRECTORY /usr/include/liggghts)
     COMPONENT liggghts-solidem EXCLUDE_FROM_ALL)
   install(DIRECTORY standalone/laws DESTINATION ${sources}/standalone
     COMPONENT liggghts-solidem EXCLUDE_FROM_ALL)
+  install(FILES standalone/effects/kernels/pack.hpp
+    DESTINATION ${sources}/standalone/effects/kernels
+    COMPONENT liggghts-solidem EXCLUDE_FROM_ALL)
 endif()
 include(CPack)

@@ -115,3 +115,4 @@ bond_style solidem/beam
     scripts = unpacked / "usr/share/solidem/contrib/liggghts"
     assert os.access(scripts / "install", os.X_OK) and (scripts / "src").is_dir()
     assert (unpacked / "usr/share/solidem/standalone/laws/beam.hpp").exists()
+    assert (unpacked / "usr/share/solidem/standalone/effects/kernels/pack.hpp").exists()

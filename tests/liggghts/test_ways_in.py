@@ -2,6 +2,7 @@
 """The same results from the program on the prebuilt library, the preload of the stock LIGGGHTS, and
 LIGGGHTS built from source with the styles dropped in."""
 
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 import central_body
 import moving_bar
-from liggghts_runs import Liggghts, built_paths
+from liggghts_runs import CONTRIB, Liggghts, built_paths
 from moving_bar import STEPS, beginning, largest_difference, state
 
 SCRIPT = beginning() + state() + f"run {STEPS}\n"
@@ -44,6 +45,30 @@ def test_styles_dropped_into_the_source_tree(
     difference = largest_difference(reference, frames[STEPS])
     print(f"from source, {ranks} ranks: {difference:.1e}")
     assert difference <= 1e-12
+
+
+@pytest.mark.parametrize("instruction_set", ["baseline", "x86_64_v3"])
+def test_every_instruction_set_moves_alike(
+    prebuilt: dict[str, Path], reference: np.ndarray, tmp_path: Path, instruction_set: str
+) -> None:
+    program = Liggghts(prebuilt["program"], {"SOLIDEM_INSTRUCTION_SET": instruction_set})
+    difference = largest_difference(reference, moving_bar.run(program, tmp_path, SCRIPT)[STEPS])
+    print(f"{instruction_set}: {difference:.1e}")
+    assert difference <= 1e-12
+
+
+def test_hot_loops_of_an_instruction_set_hold_nothing_that_others_use(tmp_path: Path) -> None:
+    """The linker keeps one of several functions of a name, which another machine may be unable to run."""
+    for source in sorted((CONTRIB / "src").glob("solidem_kernels_*.cpp")):
+        instruction_set = source.stem.removeprefix("solidem_kernels_")
+        compiled = tmp_path / f"{instruction_set}.o"
+        subprocess.run(["mpicxx", "-O2", "-Wno-psabi", f"-I{CONTRIB / 'src'}",
+                        f"-I{CONTRIB.parents[1] / 'standalone'}", "-c", source, "-o", compiled],
+                       check=True)
+        names = subprocess.run(["nm", "-C", "--defined-only", "--extern-only", compiled],
+                               capture_output=True, text=True, check=True).stdout.splitlines()
+        assert names
+        assert [name for name in names if instruction_set not in name] == []
 
 
 CENTRAL = (

@@ -74,7 +74,8 @@ SolidemBeamPacks SolidemBondPacks::packs() {
   packs.memory = memory_.data();
   packs.beam = constants_.data();
   packs.one_beam = one_beam_;
-  packs.shear_ratio = beam_.law == SolidemBeam::SPRING ? 0.0 : beam_.shear_modulus / beam_.young_modulus;
+  packs.shear_ratio =
+      beam_.law == SolidemBeam::SPRING ? 0.0 : beam_.shear_modulus / beam_.young_modulus;
   packs.stretch = stretch_.empty() ? nullptr : stretch_.data();
   packs.limit = limit_.empty() ? nullptr : limit_.data();
   packs.flows = beam_.flows;

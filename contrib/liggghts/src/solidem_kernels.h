@@ -21,11 +21,11 @@ struct alignas(64) SolidemRow {
 /// i, j and memory go on to a multiple of eight with the last bond again.
 struct SolidemBeamPacks {
   int bonds;
-  const int *i, *j;        ///< atoms: that of the lower tag, and of the higher
-  double* const* memory;   ///< rows of SolidemBondMemory
-  const SolidemRow* beam;  ///< of eight bonds: axial, bending, shear, torsion, radius
-  bool one_beam;           ///< the same for all
-  double shear_ratio;      ///< G / E
+  const int *i, *j;           ///< atoms: that of the lower tag, and of the higher
+  double* const* memory;      ///< rows of SolidemBondMemory
+  const SolidemRow* beam;     ///< of eight bonds: axial, bending, shear, torsion, radius
+  bool one_beam;              ///< the same for all
+  double shear_ratio;         ///< G / E
   const SolidemRow* stretch;  ///< of their rest lengths; NULL: none
   const SolidemRow* limit;    ///< strains up to which they neither flow nor break; NULL: never
   bool flows, heats;
@@ -34,8 +34,8 @@ struct SolidemBeamPacks {
   double damping_ratio;
   const SolidemRow* motion;  ///< of atoms: v, 1 / mass, omega, 1 / inertia; NULL: no damping
   const SolidemRow* owned;   ///< this rank's share of eight bonds; NULL: all
-  SolidemRow* told;  ///< of bonds: elastic energy, force on i; NULL: nobody asks
-  int* apart;        ///< bonds that broke or may be at their limit: left alone here
+  SolidemRow* told;          ///< of bonds: elastic energy, force on i; NULL: nobody asks
+  int* apart;                ///< bonds that broke or may be at their limit: left alone here
   // Found:
   int bonds_apart;
   double damping_power;
@@ -52,8 +52,8 @@ struct SolidemMovingAtoms {
   double drift;  ///< a time step; 0: velocities alone
 };
 
-/// Pairs of atoms under a central law, many at a time. Where they stand one after the other, i and j
-/// go on to a multiple of eight with the last pair again.
+/// Pairs of atoms under a central law, many at a time. Where they stand one after the other, i and
+/// j go on to a multiple of eight with the last pair again.
 struct SolidemCentralPacks {
   int pairs;
   const int *i, *j;
@@ -62,7 +62,7 @@ struct SolidemCentralPacks {
   const SolidemRow* atoms;  ///< centre, radius (far below zero: it takes no part), velocity, free
   const SolidemRow* faces;  ///< barycentre that an atom shows; NULL: nobody looks for cracks
   SolidemRow* loads;        ///< of atoms, added to: force
-  SolidemRow* told;  ///< of pairs: force over distance, distance, inside; NULL: nobody asks
+  SolidemRow* told;         ///< of pairs: force over distance, distance, inside; NULL: nobody asks
   double range, interpenetration, dissipation;
   const void* law;  ///< one of CentralLaws
   /// Its force where two atoms are too near for it.

@@ -8,8 +8,8 @@
 //
 // Contributing author: solidem developers
 
-// The loops of solidem_packs.h for x86-64-v3, whatever the compiler's flags are. Headers that do not
-// belong to them come first, so that nothing of theirs is compiled for machines like that.
+// The loops of solidem_packs.h for x86-64-v3, whatever the compiler's flags are. Headers that do
+// not belong to them come first, so that nothing of theirs is compiled for machines like that.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #ifndef NDEBUG
 #define NDEBUG

@@ -8,7 +8,6 @@
 //
 // Contributing author: solidem developers
 
-
 // Many atoms at a time. Included once for each instruction set.
 #ifndef LMP_SOLIDEM_PACKS_OF_ATOMS_H
 #define LMP_SOLIDEM_PACKS_OF_ATOMS_H
@@ -66,8 +65,8 @@ inline void move_pack(const SolidemMovingAtoms& m, int first, int count) {
     radius.v[k] = m.radius[first + k];
   }
   if (m.translates) {
-    const PackVector v = load_vectors(m.v + at, count) +
-                         (Pack(m.kick) / mass) * load_vectors(m.f + at, count);
+    const PackVector v =
+        load_vectors(m.v + at, count) + (Pack(m.kick) / mass) * load_vectors(m.f + at, count);
     store_vectors(v, m.v + at, count, moves);
     if (m.drift != 0.0)
       store_vectors(load_vectors(m.x + at, count) + Pack(m.drift) * v, m.x + at, count, moves);

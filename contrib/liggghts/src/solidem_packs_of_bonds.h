@@ -8,7 +8,6 @@
 //
 // Contributing author: solidem developers
 
-
 // Many bonds at a time. Included once for each instruction set.
 #ifndef LMP_SOLIDEM_PACKS_OF_BONDS_H
 #define LMP_SOLIDEM_PACKS_OF_BONDS_H
@@ -45,15 +44,15 @@ struct Bonds {
   Mask apart;
 };
 
-inline void read_beam(const SolidemBeamPacks& m, int first, Bonds& bonds) {
+inline solidem::YieldingBeam<Pack> beam_of(const SolidemBeamPacks& m, int first,
+                                           const Pack& cold_rest_length) {
   const SolidemRow* of_block = m.one_beam ? m.beam : m.beam + 5 * (first / 8);
   const int lane = first % 8;
   const auto number = [&](int k) { return Pack::load(of_block[k].number + lane); };
-  bonds.beam = {{number(0), number(1), number(2), number(3)},
-                bonds.cold_rest_length,
-                number(4),
-                Pack(m.shear_ratio)};
-  if (m.stretch) bonds.beam.rest_length = bonds.cold_rest_length * number_of(m.stretch, first);
+  return {{number(0), number(1), number(2), number(3)},
+          m.stretch ? cold_rest_length * number_of(m.stretch, first) : cold_rest_length,
+          number(4),
+          Pack(m.shear_ratio)};
 }
 
 /// Of those that never change the first four numbers are all that they remember.
@@ -61,42 +60,42 @@ template <bool changes>
 inline Bonds read(const SolidemBeamPacks& m, int first) {
   const Row i = gather(m.poses, m.i + first), j = gather(m.poses, m.j + first);
   const PackVector chord = first_of(j) - first_of(i);
+  const PackQuaternion turned_i = orientation_of(i), turned_j = orientation_of(j);
   double* const* memory = m.memory + first;
-  Bonds bonds;
-  bonds.turned_i = orientation_of(i);
-  bonds.turned_j = orientation_of(j);
+  const Pack none(0.0);
   if constexpr (!changes) {
     const Quad kept = four_numbers(memory, Memory::NORMAL_I);
-    bonds.cold_rest_length = kept.component[Memory::REST_LENGTH];
-    read_beam(m, first, bonds);
-    bonds.pose =
-        solidem::beam_pose(chord, {kept.component[0], kept.component[1], kept.component[2]},
-                           bonds.turned_i, bonds.turned_j);
-    bonds.deformation = solidem::beam_deformation(bonds.beam.rest_length, bonds.pose);
-    bonds.apart = greater(Pack(0.0), Pack(0.0));
+    const Pack& cold_rest_length = kept.component[Memory::REST_LENGTH];
+    const solidem::YieldingBeam<Pack> beam = beam_of(m, first, cold_rest_length);
+    const solidem::BeamPose<Pack> pose = solidem::beam_pose(
+        chord, {kept.component[0], kept.component[1], kept.component[2]}, turned_i, turned_j);
+    return {turned_i,           turned_j, beam,
+            cold_rest_length,   pose,     solidem::beam_deformation(beam.rest_length, pose),
+            greater(none, none)};
   } else {
     const Row kept = first_eight_numbers(memory);
     const Quad more = four_numbers(memory, Memory::TWIST);
-    bonds.cold_rest_length = kept.component[Memory::REST_LENGTH];
-    read_beam(m, first, bonds);
-    const solidem::BeamHistory<Pack> history = {first_of(kept),
-                                                last_of(kept),
-                                                kept.component[Memory::EXTENSION],
-                                                more.component[0],
-                                                more.component[Memory::PLASTIC_STRAIN - Memory::TWIST],
-                                                {}};
-    bonds.pose = solidem::beam_pose(chord, history.normal_i, history.normal_j, bonds.turned_i,
-                                    bonds.turned_j);
-    bonds.deformation =
-        solidem::elastic_deformation(bonds.beam.rest_length, bonds.pose, history);
-    const Pack none(0.0), ruptured = more.component[Memory::RUPTURE - Memory::TWIST];
-    const Pack limit = bonds.beam.rest_length * number_of(m.limit, first);
-    const Pack reached = solidem::bound_of_squared_extension(
-        bonds.beam.radius, bonds.beam.shear_ratio, bonds.pose, bonds.deformation);
-    bonds.apart = either(either(greater(ruptured, none), greater(none, ruptured)),
-                         greater(reached, limit * limit));
+    const Pack& cold_rest_length = kept.component[Memory::REST_LENGTH];
+    const solidem::YieldingBeam<Pack> beam = beam_of(m, first, cold_rest_length);
+    const solidem::BeamHistory<Pack> history = {
+        first_of(kept),
+        last_of(kept),
+        kept.component[Memory::EXTENSION],
+        more.component[0],
+        more.component[Memory::PLASTIC_STRAIN - Memory::TWIST],
+        {}};
+    const solidem::BeamPose<Pack> pose =
+        solidem::beam_pose(chord, history.normal_i, history.normal_j, turned_i, turned_j);
+    const solidem::BeamDeformation<Pack> deformation =
+        solidem::elastic_deformation(beam.rest_length, pose, history);
+    const Pack ruptured = more.component[Memory::RUPTURE - Memory::TWIST];
+    const Pack limit = beam.rest_length * number_of(m.limit, first);
+    const Pack reached =
+        solidem::bound_of_squared_extension(beam.radius, beam.shear_ratio, pose, deformation);
+    const Mask apart = either(either(greater(ruptured, none), greater(none, ruptured)),
+                              greater(reached, limit * limit));
+    return {turned_i, turned_j, beam, cold_rest_length, pose, deformation, apart};
   }
-  return bonds;
 }
 
 /// As SolidemBeam::keep_last().
@@ -104,11 +103,16 @@ inline void keep_last(const SolidemBeamPacks& m, int first, int count, const Bon
   const solidem::BeamModes<Pack> modes =
       solidem::beam_modes(bonds.pose, bonds.deformation, bonds.turned_i);
   const PackVector &i = modes.lean_i, &j = modes.lean_j;
-  const Pack numbers[] = {
-      i.x, i.y, i.z, j.x, j.y, j.z,
-      modes.extension + (bonds.beam.rest_length - bonds.cold_rest_length), modes.twist,
-      solidem::equivalent_strain(bonds.beam.radius, bonds.beam.shear_ratio, bonds.pose,
-                                 bonds.deformation)};
+  const Pack numbers[] = {i.x,
+                          i.y,
+                          i.z,
+                          j.x,
+                          j.y,
+                          j.z,
+                          modes.extension + (bonds.beam.rest_length - bonds.cold_rest_length),
+                          modes.twist,
+                          solidem::equivalent_strain(bonds.beam.radius, bonds.beam.shear_ratio,
+                                                     bonds.pose, bonds.deformation)};
   for (int k = 0; k < count; k++) {
     if (bonds.apart[k]) continue;
     double* last = m.memory[first + k] + Memory::LAST;

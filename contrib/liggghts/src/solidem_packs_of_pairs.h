@@ -8,13 +8,12 @@
 //
 // Contributing author: solidem developers
 
-
 // Many pairs under a central law at a time. Included once for each instruction set.
 #ifndef LMP_SOLIDEM_PACKS_OF_PAIRS_H
 #define LMP_SOLIDEM_PACKS_OF_PAIRS_H
 
-#include "laws/central_laws.hpp"
 #include "laws/central_interaction.hpp"
+#include "laws/central_laws.hpp"
 #include "laws/crack_face.hpp"
 #include "solidem_rows.h"
 
@@ -45,8 +44,8 @@ inline Pairs see(const SolidemCentralPacks& m, int first, const Row& i, const Ro
 inline void follow_on(const SolidemCentralPacks& m, const Pairs& pairs, Mask deep, Pack& push) {
   for (int k = 0; k < width; k++)
     if (deep[k])
-      push.v[k] = m.continued_force(m.law, m.interpenetration, pairs.distance.v[k],
-                                    pairs.equilibrium.v[k]);
+      push.v[k] =
+          m.continued_force(m.law, m.interpenetration, pairs.distance.v[k], pairs.equilibrium.v[k]);
 }
 
 /// Across a crack nothing is attracted.
@@ -78,8 +77,7 @@ inline void hand_on(const SolidemCentralPacks& m, int first, int count, const Pa
 inline void tell(const SolidemCentralPacks& m, int first, int count, const Pairs& pairs,
                  const Pack& over_distance) {
   for (int k = 0; k < count; k++)
-    m.told[first + k] = {
-        {over_distance.v[k], pairs.distance.v[k], pairs.inside[k] ? 1.0 : 0.0}};
+    m.told[first + k] = {{over_distance.v[k], pairs.distance.v[k], pairs.inside[k] ? 1.0 : 0.0}};
 }
 
 template <class Law>

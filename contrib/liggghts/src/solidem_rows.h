@@ -8,7 +8,6 @@
 //
 // Contributing author: solidem developers
 
-
 // Packs of rows. Included once for each instruction set.
 #ifndef LMP_SOLIDEM_ROWS_H
 #define LMP_SOLIDEM_ROWS_H
