@@ -40,9 +40,9 @@ void PairSolidemCentral::compute(int eflag, int vflag) {
   packs.equilibrium = equilibrium_.data();
   packs.owned = owned_.data();
   packs.atoms = atoms_.data();
-  packs.faces = cracks ? faces_.data() : NULL;
+  packs.faces = cracks ? faces_.data() : nullptr;
   packs.loads = loads_.data();
-  packs.told = evflag ? told_.data() : NULL;
+  packs.told = evflag ? told_.data() : nullptr;
   packs.range = settings_.range;
   packs.interpenetration = settings_.interpenetration;
   packs.dissipation = settings_.dissipation;

@@ -29,9 +29,9 @@ extern const SolidemKernels kernels;
 namespace {
 
 const SolidemKernels& choose() {
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
   const char* asked = getenv("SOLIDEM_INSTRUCTION_SET");
   const auto wanted = [asked](const char* set) { return !asked || strcmp(asked, set) == 0; };
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
   if (wanted("x86_64_v4") && __builtin_cpu_supports("avx512f") &&
       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd"))
