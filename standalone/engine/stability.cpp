@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -50,25 +51,15 @@ double joined(std::size_t elements, const Part& part, const Join& join) {
   return std::accumulate(parts.begin(), parts.end(), 0.0, join);
 }
 
-/// The largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's sequence.
+/// The largest eigenvalue of a symmetric tridiagonal matrix, whose rows are as many as `diagonal`
+/// has.
 double largest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
-  double low = 0, high = 0;
-  for (std::size_t k = 0; k < diagonal.size(); ++k) {
-    const double before = k > 0 ? std::fabs(beside[k - 1]) : 0;
-    const double after = k + 1 < diagonal.size() ? std::fabs(beside[k]) : 0;
-    high = std::max(high, diagonal[k] + before + after);
-  }
-  const auto is_above_all = [&](double value) {
-    double pivot = value - diagonal[0];
-    for (std::size_t k = 1; k < diagonal.size() && pivot > 0; ++k)
-      pivot = value - diagonal[k] - beside[k - 1] * beside[k - 1] / pivot;
-    return pivot > 0;
-  };
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (is_above_all(middle) ? high : low) = middle;
-  }
-  return high;
+  const auto rows = static_cast<Eigen::Index>(diagonal.size());
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), rows),
+                                Eigen::Map<const Eigen::VectorXd>(beside.data(), rows - 1),
+                                Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[rows - 1];
 }
 
 /// Elements near rest, whose displacements and turns are tried. Shapes have six numbers for each.
