@@ -2,13 +2,13 @@
 """How warm aluminium (AA6082) gets by its own plastic work: ten rows of Terreros 2013, table 4.1, by
 bars of elements, by the law alone in one point, and measured.
 
-    /usr/bin/python3 -m benchmarks.adiabatic_flow [--elements 500] [--section middle] [--workers 2]
-        [--steps] [--output results/adiabatic_flow]
+    /usr/bin/python3 -m benchmarks.adiabatic_flow [--elements 500] [--load tension] [--section middle]
+        [--workers 2] [--steps] [--output results/adiabatic_flow]
 
-Bonds are calibrated to the curve of Johnson and Cook first, in tension, slow and cold; then bars of three
-packings are pulled at the rates and temperatures of the table, with and without what rate and
+Bonds are calibrated to the curve of Johnson and Cook first, slow and cold; then bars of three packings are
+pulled, or compressed, at the rates and temperatures of the table, with and without what rate and
 temperature do to the law. Writes tables in Markdown, seconds included, and in the folder rises.csv,
-rises.png and stresses.png: table 4.1, figures 4.3 and 4.4 of the source drawn anew. `--steps` pulls
+rises.png and stresses.png: table 4.1, figures 4.3 and 4.4 of the source drawn anew. `--steps` loads
 one packing by other time steps and with other masses instead, and writes steps.csv.
 """
 
@@ -25,21 +25,21 @@ from typing import Any, Callable
 import numpy as np
 
 from . import pictures
-from .bars import BODY, ROOT, SEEDS, Flow, calibrated, pulled, scene, without_softening
+from .bars import BODY, ROOT, SEEDS, Flow, calibrated, loaded, scene, without_softening
 from .law import TESTS, law_alone
 
 #: Time step over the stable one, and factor of the masses.
 STEPS = [(ratio, 1.0) for ratio in (0.1, 0.3, 0.5, 0.7, 0.9)] + [(0.5, 4.0), (0.5, 16.0), (0.5, 64.0)]
 
 
-def all_flows(folder: Path, elements: int, beams: list[str],
+def all_flows(folder: Path, elements: int, beams: list[str], load: str,
               workers: int) -> dict[tuple[str, int, int], Flow]:
     """Every test of every packing, with the whole law and with its hardening alone."""
     kinds: tuple[tuple[str, Callable[[str], str]], ...] = (("law", str), ("hard", without_softening))
     with ThreadPoolExecutor(workers) as pool:
         jobs = {(kind, t, seed): pool.submit(
-                    pulled, folder, f"{kind}_{t}_{seed}",
-                    scene(BODY, elements=elements, seed=seed) + change(own), test)
+                    loaded, folder, f"{kind}_{t}_{seed}",
+                    scene(BODY, elements=elements, seed=seed) + change(own), test, load)
                 for kind, change in kinds for t, test in enumerate(TESTS)
                 for seed, own in zip(SEEDS, beams)}
         return {key: job.result() for key, job in jobs.items()}
@@ -80,7 +80,7 @@ def tell_rises(bodies: Any, hard: Any, path: Path) -> None:
         + f" | | {root_mean_square(hard.mean(axis=0), measured):.2f} |")
 
 
-def tell_steps(folder: Path, body: str, path: Path) -> None:
+def tell_steps(folder: Path, body: str, load: str, path: Path) -> None:
     """Rises of one packing at the end of each test, by time step and by factor of the masses."""
     print("\n| step over the stable one | masses | " + " | ".join(test.label for test in TESTS)
           + " | largest change | energy gap | in motion |\n|" + "---|" * (5 + len(TESTS)))
@@ -91,7 +91,7 @@ def tell_steps(folder: Path, body: str, path: Path) -> None:
                         *(f"rise_{test.rate:g}_per_s_K" for test in TESTS),
                         "largest_change", "energy_gap", "in_motion"])
         for ratio, factor in STEPS:
-            flows = [pulled(folder, f"steps_{t}_{ratio}_{factor:g}", body, test, ratio, factor)
+            flows = [loaded(folder, f"steps_{t}_{ratio}_{factor:g}", body, test, load, ratio, factor)
                      for t, test in enumerate(TESTS)]
             rises = np.concatenate([one.rises for one in flows])
             first = rises if first is None else first
@@ -106,9 +106,10 @@ def tell_steps(folder: Path, body: str, path: Path) -> None:
 
 
 def main() -> None:
-    """Calibrates, pulls and tells."""
+    """Calibrates, loads and tells."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split(":", maxsplit=1)[0])
     parser.add_argument("--elements", type=int, default=500)
+    parser.add_argument("--load", choices=("tension", "compression"), default="tension")
     parser.add_argument("--section", default="middle", help="where bending counts in a bond")
     parser.add_argument("--workers", type=int, default=2, help="runs at a time")
     parser.add_argument("--steps", action="store_true", help="how the time step matters, alone")
@@ -118,16 +119,16 @@ def main() -> None:
     words.output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
-        beams, results = calibrated(folder, words.elements, words.section)
+        beams, results = calibrated(folder, words.elements, words.section, words.load)
         print(f"calibrated in {time.monotonic() - began:.0f} s; the curve is missed by, %:")
         for seed, result in zip(SEEDS, results):
             print(f"  packing {seed}: " + " ".join(
                 f"{100 * point['miss']:+.1f}" for point in result["curve"]), flush=True)
         if words.steps:
-            tell_steps(folder, scene(BODY, elements=words.elements, seed=SEEDS[0]) + beams[0],
+            tell_steps(folder, scene(BODY, elements=words.elements, seed=SEEDS[0]) + beams[0], words.load,
                        words.output / "steps.csv")
             return
-        found = all_flows(folder, words.elements, beams, words.workers)
+        found = all_flows(folder, words.elements, beams, words.load, words.workers)
     bodies = rises_of(found, "law")
     tell_rises(bodies, rises_of(found, "hard"), words.output / "rises.csv")
     pictures.draw_rises(bodies.mean(axis=0), bodies.std(axis=0, ddof=1),

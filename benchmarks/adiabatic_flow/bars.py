@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bars of elements: how they are calibrated, pulled and read."""
+"""Bars of elements: how they are calibrated, loaded and read."""
 
 from __future__ import annotations
 
@@ -60,10 +60,11 @@ fit = "each"
 specimens = 3
 tension_tests = 8
 [calibration.curve]
+load = "LOAD"
 {CURVE}strains = STRAINS
 tolerance = TOLERANCE
 """
-PULL = """\
+RUN = """\
 [conduction]
 law = "platonic-calibrated"
 initial_temperature = "START K"
@@ -124,11 +125,12 @@ def scene(text: str, **values: object) -> str:
     return text
 
 
-def calibrated(folder: Path, elements: int, section: str) -> tuple[list[str], list[Any]]:
-    """Beams and flow of each packing, and how they meet the curve."""
+def calibrated(folder: Path, elements: int, section: str,
+               load: str) -> tuple[list[str], list[Any]]:
+    """Beams and flow of each packing, and how they meet the curve in "tension" or "compression"."""
     strains = sorted({strain for test in TESTS for strain in test.strain})
     text = scene(BODY + BEAMS + CALIBRATION, elements=elements, seed=SEEDS[0], section=section,
-                 strains=strains, tolerance=0.01)
+                 load=load, strains=strains, tolerance=0.01)
     (folder / "calibration.toml").write_text(text)
     solidem(folder, "calibrate", "calibration.toml", "-o", "found")
     results = json.loads((folder / "found" / "calibration.json").read_text())["results"]
@@ -142,24 +144,26 @@ def without_softening(beams: str) -> str:
     return "".join(line for line in beams.splitlines(keepends=True) if not line.startswith(words))
 
 
-def pulled(folder: Path, name: str, body: str, test: Test, ratio: float = 0.5,
+def loaded(folder: Path, name: str, body: str, test: Test, load: str, ratio: float = 0.5,
            factor: float = 1) -> Flow:
-    """Pulls a bar; `ratio` of the stable time step, masses times `factor`."""
-    speed = test.rate * (LENGTH - GRIPS)
-    text = scene(body + PULL, start=test.start, speed=speed, half=0.5 * speed, rate=test.rate,
-                 thin=-0.33 * test.rate, duration=1.15 * math.expm1(test.strain[-1]) / test.rate,
+    """Pulls or compresses a bar; `ratio` of the stable time step, masses times `factor`."""
+    sign = -1 if load == "compression" else 1
+    rate = sign * test.rate
+    speed = rate * (LENGTH - GRIPS)
+    text = scene(body + RUN, start=test.start, speed=speed, half=0.5 * speed, rate=rate,
+                 thin=-0.33 * rate, duration=1.15 * math.expm1(sign * test.strain[-1]) / rate,
                  ratio=ratio, scaling=f"[mass_scaling]\nfactor = {factor:g}\n" if factor > 1 else "")
     (folder / f"{name}.toml").write_text(text)
     solidem(folder, "run", f"{name}.toml", "-o", name)
-    return read_flow(folder / name, test)
+    return read_flow(folder / name, test, sign)
 
 
-def read_flow(folder: Path, test: Test) -> Flow:
-    """From what a run has written."""
+def read_flow(folder: Path, test: Test, sign: int) -> Flow:
+    """From what a run has written; strain and stress count above 0 along the load."""
     with (folder / "history.csv").open() as file:
         rows = list(csv.DictReader(file))
     column = {key: np.array([float(row[key]) for row in rows]) for key in rows[0]}
-    strain = np.log1p(column["gauge.strain"])
+    strain = sign * np.log1p(column["gauge.strain"])
     with h5py.File(folder / "trajectory.h5") as file:
         frames = [file["frames"][key] for key in sorted(file["frames"])]
         x = np.array(frames[0]["position"])[:, 0]
@@ -170,7 +174,7 @@ def read_flow(folder: Path, test: Test) -> Flow:
     work = column["external_work"][-1]
     heat = column["thermal_energy"] + column["waiting_heat"]
     heat -= heat[0] - TAYLOR_QUINNEY * column["plastic_work"][0]
-    return Flow(at - test.start, strain, column["gauge.stress"] * (1 + column["gauge.strain"]),
+    return Flow(at - test.start, strain, sign * column["gauge.stress"] * (1 + column["gauge.strain"]),
                 float(np.abs(heat - TAYLOR_QUINNEY * column["plastic_work"]).max() / work),
                 float(np.abs(column["energy_balance"]).max() / work),
                 float(column["kinetic_energy"][-1] / work))
