@@ -77,7 +77,8 @@ class StiffnessSolver {
   Block entry(std::int32_t k) const {
     const std::int32_t place = place_[static_cast<std::size_t>(k)];
     if (place >= 0) return block_[static_cast<std::size_t>(place)];
-    return block_[static_cast<std::size_t>(~place)].transpose();
+    const std::int32_t across = ~place;
+    return block_[static_cast<std::size_t>(across)].transpose();
   }
   void hold();
   void make_parts(const Specimen& specimen);
