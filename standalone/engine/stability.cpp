@@ -17,7 +17,7 @@ namespace {
 
 /// Lanczos' steps, and those over which the largest squared frequency no longer grows when enough
 /// have been taken.
-constexpr int most_steps = 60, steps_to_compare = 4;
+constexpr int most_iterations = 60, iterations_to_compare = 4;
 constexpr double enough = 2e-3;
 
 /// Elements in a chunk of a sum: the sum is the same on any number of threads.
@@ -181,9 +181,9 @@ double largest_squared_frequency(const NearRest& body) {
     for (std::size_t k = 0; k < shape.size(); ++k) image[k] -= along * shape[k] + before * last[k];
     found.push_back(largest_eigenvalue(diagonal, beside));
     const std::size_t step = found.size();
-    if (step == most_steps) break;
-    if (step > steps_to_compare &&
-        found.back() <= (1 + enough) * found[step - 1 - steps_to_compare])
+    if (step == most_iterations) break;
+    if (step > iterations_to_compare &&
+        found.back() <= (1 + enough) * found[step - 1 - iterations_to_compare])
       break;
     norm = std::sqrt(body.product(image, image));
     // What is left is round-off once the shapes hold all that the body does.
