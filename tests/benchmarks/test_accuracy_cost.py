@@ -252,6 +252,7 @@ velocity = ["2 m/s", "0 m/s", "0 m/s"]
 [run]
 duration = "2 us"
 time_step_of_limit = 0.5
+observe_every = 1  # so that what is read between rows errs by less than the steps
 [output]
 frames = 1
 """
