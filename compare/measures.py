@@ -126,23 +126,28 @@ def slope(view: View) -> Measured:
 
 
 def _history(view: View) -> tuple[Floats, Floats]:
-    result, name = view.tested, view.option("column")
-    if name not in result.history or len(result.history[name]) < 20:
-        raise CodeFailure(f"{result.code} has no 20 rows of {name} in its history")
-    return result.history["time"], result.history[name]
+    """Times, and a column (option `column`) or the sum of several ("a + b")."""
+    result, names = view.tested, view.option("column").split(" + ")
+    for name in names:
+        if name not in result.history or len(result.history[name]) < 20:
+            raise CodeFailure(f"{result.code} has no 20 rows of {name} in its history")
+    values = np.sum([result.history[name] for name in names], axis=0)
+    return result.history["time"], values
 
 
 @measure
 def history_swing(view: View) -> Measured:
-    """Root mean square of a column of the history (option `column`)."""
+    """Root mean square of a column of the history (option `column`), from its start on."""
     _, values = _history(view)
-    return Measured(float(np.sqrt(np.mean(values**2))))
+    return Measured(float(np.sqrt(np.mean((values - values[0])**2))))
 
 
 @measure
 def history_trend(view: View) -> Measured:
-    """Rise of a straight line through a column (option `column`) over the run / largest value."""
+    """Rise of a straight line through a column (option `column`), from its start on, over the run /
+    largest value."""
     time, values = _history(view)
+    values = values - values[0]
     largest = float(np.abs(values).max())
     if not largest > 0:
         raise CodeFailure(f"{view.option('column')} is zero throughout")
