@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "effects/pseudo_random.hpp"
-#include "model/blocks.hpp"
+#include "model/chunks.hpp"
 
 namespace solidem {
 
@@ -23,31 +23,25 @@ constexpr double enough = 2e-3;
 /// Elements in a chunk of a sum: the sum is the same on any number of threads.
 constexpr std::size_t chunk = 1024, least_chunks = 4;
 
-/// Calls work(first, last, chunk) for chunks of elements, on all threads.
-template <class Work>
-void for_chunks(std::size_t elements, const Work& work) {
-  for_blocks((elements + chunk - 1) / chunk, least_chunks, [&](std::size_t from, std::size_t to) {
-    for (std::size_t c = from; c < to; ++c) work(c * chunk, std::min((c + 1) * chunk, elements), c);
-  });
-}
-
 /// Calls work(element) for all, on all threads.
 template <class Work>
 void for_elements(std::size_t elements, const Work& work) {
-  for_chunks(elements, [&](std::size_t first, std::size_t last, std::size_t /*chunk*/) {
-    for (std::size_t i = first; i < last; ++i) work(i);
-  });
+  for_chunks(elements, chunk, least_chunks,
+             [&](std::size_t /*chunk*/, std::size_t first, std::size_t last) {
+               for (std::size_t i = first; i < last; ++i) work(i);
+             });
 }
 
 /// What `join` makes, chunk by chunk, of what `part` makes of each element; from zero.
 template <class Part, class Join>
 double joined(std::size_t elements, const Part& part, const Join& join) {
   std::vector<double> parts((elements + chunk - 1) / chunk, 0.0);
-  for_chunks(elements, [&](std::size_t first, std::size_t last, std::size_t c) {
-    double whole = 0;
-    for (std::size_t i = first; i < last; ++i) whole = join(whole, part(i));
-    parts[c] = whole;
-  });
+  for_chunks(elements, chunk, least_chunks,
+             [&](std::size_t c, std::size_t first, std::size_t last) {
+               double whole = 0;
+               for (std::size_t i = first; i < last; ++i) whole = join(whole, part(i));
+               parts[c] = whole;
+             });
   return std::accumulate(parts.begin(), parts.end(), 0.0, join);
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "model/blocks.hpp"
+#include "model/chunks.hpp"
 #include "model/slots.hpp"
 #include "specimen/listed_spheres.hpp"
 #include "specimen/mesh_walls.hpp"
@@ -18,14 +19,6 @@ namespace {
 
 // Blocks of eight spheres in a chunk of a sum: the sum is the same on any number of threads.
 constexpr std::size_t chunk = 128, least_chunks = 4;
-
-// Calls work(chunk, first block, last block) for chunks of blocks, on all threads.
-template <class Work>
-void for_chunks(std::size_t blocks, const Work& work) {
-  for_blocks((blocks + chunk - 1) / chunk, least_chunks, [&](std::size_t from, std::size_t to) {
-    for (std::size_t c = from; c < to; ++c) work(c, c * chunk, std::min((c + 1) * chunk, blocks));
-  });
-}
 
 // Stands beside no sphere.
 constexpr double nowhere = 1e30;
@@ -209,7 +202,7 @@ void SoftSpheres::compute_forces() {
   const SoftSphereColumns spheres = columns();
   const SoftSphereKernels& kernels = soft_sphere_kernels();
   std::vector<SoftSphereSums> partial(blocks / chunk + 1);
-  for_chunks(blocks, [&](std::size_t c, std::size_t first, std::size_t last) {
+  for_chunks(blocks, chunk, least_chunks, [&](std::size_t c, std::size_t first, std::size_t last) {
     kernels.find_forces(spheres, first, last);
     add_walls(c);
     kernels.add_up(spheres, first, last, partial[c]);
@@ -230,7 +223,7 @@ double SoftSpheres::move(double time_step, double keep, double steer) {
   const std::size_t blocks = first_row_.size() - 1;
   const SoftSphereColumns spheres = columns();
   std::vector<double> farthest2(blocks / chunk + 1, 0.0);
-  for_chunks(blocks, [&](std::size_t c, std::size_t first, std::size_t last) {
+  for_chunks(blocks, chunk, least_chunks, [&](std::size_t c, std::size_t first, std::size_t last) {
     farthest2[c] =
         soft_sphere_kernels().move(spheres, first, last, time_step, keep, steer + time_step);
   });
