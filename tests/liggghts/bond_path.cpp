@@ -6,7 +6,8 @@
 //
 // A line of the input: positions and orientations (w x y z) of atom 1 and atom 2; the first is the
 // pose in which the bond is made. A line of the output, for each pose but the first: force on atom
-// 1, moments on atom 1 and atom 2, equivalent strain, plastic strain, elastic energy, plastic work.
+// 1, moments on atom 1 and atom 2, equivalent strain, plastic strain, elastic energy, plastic work
+// (the mean of what both atoms see, as a step turns one against the other).
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -32,6 +33,19 @@ bool read(Pose& pose) {
   pose.chord = b - a;
   return static_cast<bool>(std::cin);
 }
+
+/// The bond as the second atom sees it.
+Pose turned_about(const Pose& pose) {
+  return {-pose.chord, pose.second, pose.first};
+}
+
+/// What one side of the bond remembers.
+struct Side {
+  solidem::Vector3<double> rest_direction;
+  solidem::BeamHistory<double> history;
+  explicit Side(const solidem::Vector3<double>& direction)
+      : rest_direction(direction), history(solidem::unyielded(direction)) {}
+};
 
 void print(const solidem::Vector3<double>& a) {
   std::printf("%.17g %.17g %.17g ", a.x, a.y, a.z);
@@ -69,20 +83,25 @@ int main(int argc, char** argv) {
   if (law != "spring")
     beam.radius = radius, beam.shear_ratio = std::atof(argv[5]) / std::atof(argv[4]);
   const solidem::YieldLaw hardening = yield_law(argv[7], argv + 8);
-  solidem::BeamHistory<double> history = solidem::unyielded(rest_direction);
+  Side first(rest_direction), second(-rest_direction);
   solidem::FlowRule rule = solidem::FlowRule::radial_return;
   for (const auto& named : solidem::flow_rules)
     if (plasticity == named.name) rule = named.choice;
   double work = 0;
   while (read(pose)) {
-    const auto respond = [&](const auto& known) {
-      const solidem::YieldCurve<std::decay_t<decltype(known)>, double> yield{known};
-      return solidem::flow_response(rule, yield, beam, history, rest_direction,
-                                    {pose.chord, pose.first, pose.second});
+    const auto respond = [&](Side& side, const Pose& seen) {
+      const auto by = [&](const auto& known) {
+        const solidem::YieldCurve<std::decay_t<decltype(known)>, double> yield{known};
+        return solidem::flow_response(rule, yield, beam, side.history, side.rest_direction,
+                                      {seen.chord, seen.first, seen.second});
+      };
+      const solidem::BeamResponse<double> response = std::visit(by, hardening);
+      side.history = response.history;
+      return response;
     };
-    const solidem::BeamResponse<double> response = std::visit(respond, hardening);
-    history = response.history;
-    work += response.plastic_work;
+    const solidem::BeamResponse<double> response = respond(first, pose);
+    work += 0.5 * (response.plastic_work + respond(second, turned_about(pose)).plastic_work);
+    const solidem::BeamHistory<double>& history = first.history;
     const auto kept =
         solidem::beam_pose(pose.chord, history.normal_i, history.normal_j, pose.first, pose.second);
     const double strain = solidem::equivalent_strain(

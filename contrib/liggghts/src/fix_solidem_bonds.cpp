@@ -78,7 +78,7 @@ FixSolidemBonds::FixSolidemBonds(LAMMPS* liggghts, int narg, char** arg)
   restart_peratom = 1;
   history = new SolidemBondValues(liggghts, atom->bond_hist, atom->n_bondhist);
   history->when_forgotten = [this](const double* memory_of_bond) {
-    if (history->width() < Row::CHANGING) return;
+    if (history->width() < Row::BREAKING) return;
     const double fraction = force->newton_bond ? 1.0 : 0.5;  // else both atoms list it
     gone_plastic_work += fraction * memory_of_bond[Row::PLASTIC_WORK];
   };
@@ -383,7 +383,7 @@ double FixSolidemBonds::compute_vector(int n) {
     MPI_Allreduce(&beams->ledger.damping, &damping, 1, MPI_DOUBLE, MPI_SUM, world);
     return damping;
   }
-  if (!beams || history->width() < Row::CHANGING) return n == 6 ? -1.0 : 0.0;
+  if (!beams || history->width() < Row::BREAKING) return n == 6 ? -1.0 : 0.0;
   const SolidemLedger& ledger = beams->ledger;
   double here = 0.0, all;
   if (n == 6) {

@@ -38,10 +38,10 @@ void store(double* place, const Vector& a) {
 }  // namespace
 
 int SolidemBeam::width() const {
-  if (plastic_heat > 0.0) return Row::WITH_HEAT;
   if (feels_rate()) return Row::WITH_RATE;
   if (is_offset()) return Row::WITH_REST_DIRECTION;
-  return may_change() ? Row::CHANGING : Row::ELASTIC;
+  if (flows) return Row::FLOWING;
+  return may_change() ? Row::BREAKING : Row::ELASTIC;
 }
 
 // A bond that breaks or is cut in this step acts as a beam once more.
@@ -69,7 +69,7 @@ void SolidemBeam::make(double* memory, const SolidemBondEnds& ends) const {
   memory[Row::ENERGY] = 0.0;
   std::fill_n(memory + Row::LAST, 9, 0.0);
   if (feels_rate()) memory[Row::FLOW_RATE] = 0.0;
-  if (plastic_heat > 0.0) std::fill_n(memory + Row::LAST_SEEN_BY_J, 6, 0.0);
+  if (flows) std::fill_n(memory + Row::LAST_SEEN_BY_J, 6, 0.0);
   memory[Row::TWIST] = 2.0 * dot((ends.orientation_j * back_i).v, direction);
   if (is_offset()) store(memory + Row::REST_DIRECTION, solidem::rotate(back_i, direction));
 }
@@ -205,15 +205,15 @@ solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondE
                                               const YieldingBeam<double>& bond, State& now,
                                               double step, SolidemBondAction& action) const {
   const solidem::BeamResponse<double> response = this->response(memory, ends, bond, now, step);
-  double work = response.plastic_work;
-  if (plastic_heat > 0.0 && response.history.strain > memory[Row::PLASTIC_STRAIN]) {
-    const double seen_by_j = work_seen_by_j(memory, ends, bond, now, response.history.last);
-    action.heat_i = 0.5 * plastic_heat * work;
-    action.heat_j = 0.5 * plastic_heat * seen_by_j;
-    work = 0.5 * (work + seen_by_j);
+  if (!(response.history.strain > memory[Row::PLASTIC_STRAIN])) {
+    keep_last(memory, ends, response.history.last, bond.rest_length, 0.0);
+    return response.strains;
   }
+  const double seen_by_i = response.plastic_work;
+  const double seen_by_j = work_seen_by_j(memory, ends, bond, now, response.history.last);
+  action.heat_i = 0.5 * plastic_heat * seen_by_i;
+  action.heat_j = 0.5 * plastic_heat * seen_by_j;
   keep_last(memory, ends, response.history.last, bond.rest_length, 0.0);
-  if (!(response.history.strain > memory[Row::PLASTIC_STRAIN])) return response.strains;
 
   if (feels_rate())
     memory[Row::FLOW_RATE] =
@@ -224,7 +224,7 @@ solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondE
   memory[Row::EXTENSION] = response.history.extension;
   memory[Row::TWIST] = response.history.twist;
   memory[Row::PLASTIC_STRAIN] = response.history.strain;
-  memory[Row::PLASTIC_WORK] += work;
+  memory[Row::PLASTIC_WORK] += 0.5 * (seen_by_i + seen_by_j);
   memory[Row::FLOW] = step + 1.0;
   now = state(memory, ends, bond.rest_length);
   return response.strains;

@@ -254,7 +254,7 @@ inline void SolidemBeam::keep_last(double* memory, const SolidemBondEnds& ends,
   const Vector &i = modes.lean_i, &j = modes.lean_j;
   const double numbers[] = {i.x, i.y, i.z, j.x, j.y, j.z, modes.extension, modes.twist, strain};
   for (int k = 0; k < 9; k++) memory[SolidemBondMemory::LAST + k] = numbers[k];
-  if (plastic_heat == 0.0) return;
+  if (!flows) return;
   const solidem::Quaternion<double> back =
       solidem::conjugate(ends.orientation_j) * ends.orientation_i;
   const Vector a = solidem::rotate(back, i), b = solidem::rotate(back, j);

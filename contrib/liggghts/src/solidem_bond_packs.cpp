@@ -79,7 +79,6 @@ SolidemBeamPacks SolidemBondPacks::packs() {
   packs.stretch = stretch_.empty() ? nullptr : stretch_.data();
   packs.limit = limit_.empty() ? nullptr : limit_.data();
   packs.flows = beam_.flows;
-  packs.heats = beam_.plastic_heat > 0.0;
   packs.damping_ratio = beam_.damping_ratio;
   packs.owned = owned_.data();
   packs.apart = apart_.data();

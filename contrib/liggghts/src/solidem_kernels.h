@@ -28,7 +28,7 @@ struct SolidemBeamPacks {
   double shear_ratio;         ///< G / E
   const SolidemRow* stretch;  ///< of their rest lengths; NULL: none
   const SolidemRow* limit;    ///< strains up to which they neither flow nor break; NULL: never
-  bool flows, heats;
+  bool flows;
   const SolidemRow* poses;  ///< of atoms: centre, one that is free, orientation
   SolidemRow* loads;        ///< of atoms, added to: force, one that is free, moment, the same
   double damping_ratio;

@@ -118,7 +118,6 @@ inline void keep_last(const SolidemBeamPacks& m, int first, int count, const Bon
     double* last = m.memory[first + k] + Memory::LAST;
     for (int number = 0; number < 9; number++) last[number] = numbers[number].v[k];
   }
-  if (!m.heats) return;
   const PackQuaternion back = solidem::conjugate(bonds.turned_j) * bonds.turned_i;
   const PackVector a = solidem::rotate(back, i), b = solidem::rotate(back, j);
   const Pack seen[] = {a.x, a.y, a.z, b.x, b.y, b.z};
