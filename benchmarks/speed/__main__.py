@@ -27,7 +27,7 @@ from compare.codes.yade import Yade
 from compare.result import CodeFailure
 from contrib.prepared import parse_parameters, read_specimen
 
-HERE = Path(__file__).resolve().parent
+from .document import HERE, processor
 
 #: Steps of one measurement: enough to see, few enough to repeat. Codes that are not named have no
 #: such scene.
@@ -153,9 +153,7 @@ def main() -> int:
         writer.writerow(Measurement.__dataclass_fields__)
         writer.writerows([getattr(m, f) for f in Measurement.__dataclass_fields__]
                          for m in measurements)
-    processor = next((line.split(":")[1].strip() for line in open("/proc/cpuinfo")
-                      if line.startswith("model name")), "unknown processor")
-    text = (f"{processor}, one core, {options.repetitions} repetitions in turn, medians\n\n"
+    text = (f"{processor()}, one core, {options.repetitions} repetitions in turn, medians\n\n"
             + table(measurements) + "".join(f"\n\nFAILED {f}" for f in failures) + "\n")
     (output / "speed.md").write_text(text)
     print("\n" + text)

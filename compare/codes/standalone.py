@@ -25,6 +25,7 @@ class Standalone:
     name: str = "standalone"
     program: Path = field(default_factory=_default_program)
     threads: int = 1
+    environment: dict[str, str] = field(default_factory=dict)  #: more variables
 
     def missing(self) -> str | None:
         """Why the program cannot be used."""
@@ -36,7 +37,7 @@ class Standalone:
         """Runs `solidem words...`; returns the file of what it printed."""
         if reason := self.missing():
             raise CodeFailure(reason)
-        run_program([self.program, *words], directory, timeout)
+        run_program([self.program, *words], directory, timeout, self.environment)
         return directory / "output.log"
 
     def version(self) -> str:
