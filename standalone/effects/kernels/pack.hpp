@@ -41,13 +41,20 @@ inline bool is_aligned(const double* at) {
   return reinterpret_cast<std::uintptr_t>(at) % sizeof(Lanes) == 0;
 }
 
-/// `width` doubles, one in each lane.
+/// `width` doubles, one in each lane. How it is copied is written out, so that what is made of
+/// packs (a vector, a pose) is copied pack by pack, in registers; compilers move it through memory
+/// in pieces else, and wait for each.
 struct Pack {
   Lanes v;
 
   Pack() : v{} {}
   Pack(double s) : v(s - Lanes{}) {}  // NOLINT: a scalar is a pack of equals; s − 0 costs nothing
   explicit Pack(Lanes lanes) : v(lanes) {}
+  Pack(const Pack& other) : v(other.v) {}
+  Pack& operator=(const Pack& other) {
+    v = other.v;
+    return *this;
+  }
 
   static Pack load(const double* from) {
     assert(is_aligned(from));
@@ -98,7 +105,7 @@ inline Pack inverse_sqrt(Pack a) {
 #endif
 }
 
-/// `width` floats: half the bits, for laws that may do with them.
+/// `width` floats: half the bits, for laws that may do with them. Copied as a Pack is.
 typedef float HalfLanes __attribute__((vector_size(width * sizeof(float))));
 
 struct FloatPack {
@@ -107,6 +114,11 @@ struct FloatPack {
   FloatPack() : v{} {}
   FloatPack(double s) : v(static_cast<float>(s) - HalfLanes{}) {}  // NOLINT: as of a Pack
   explicit FloatPack(HalfLanes lanes) : v(lanes) {}
+  FloatPack(const FloatPack& other) : v(other.v) {}
+  FloatPack& operator=(const FloatPack& other) {
+    v = other.v;
+    return *this;
+  }
   explicit FloatPack(Pack whole) : v(__builtin_convertvector(whole.v, HalfLanes)) {}
 
   Pack whole() const { return Pack(__builtin_convertvector(v, Lanes)); }
