@@ -265,7 +265,7 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
             elastic_response<double>(beam, now.history, {now.pose, now.deformation})};
   const BeamEnds<double> last = ends_in(m.last_pose, m, slot, i, j);
   const Quaternion<double> turn = q_i * conjugate(last.orientation_i);
-  const PosedBeam<double> at = posed_beam(kind, m, slot, m.flow_rule, now, q_i, q_i, q_j);
+  const PosedBeam<double> at = posed_beam(kind, m, slot, m.flow_rule, now, q_i, q_j);
   const BeamModes<double> before =
       last_modes(kind, now, q_i, rotate(turn, last.chord), turn * last.orientation_j);
   const auto respond = [&](const auto& law) {

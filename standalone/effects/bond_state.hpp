@@ -115,14 +115,15 @@ inline BeamState<Real> since_made(Kind kind, const Motion& m, const Slot& slot,
 
 /// The bond as rules of flow look at it.
 template <class Kind, class Motion, class Slot, class Real, class Turned>
-inline PosedBeam<Real> posed_beam(Kind kind, const Motion& m, const Slot& slot, FlowRule rule,
-                                  const BondNow<Real>& bond, const Turned& rotation,
-                                  const Quaternion<Real>& turned,
-                                  const Quaternion<Real>& other_turned) {
-  PosedBeam<Real> posed{{bond.pose, bond.deformation}, {}, turned, other_turned};
-  if (rule == FlowRule::scaled_offset)
-    posed.whole = since_made(kind, m, slot, bond, rotation, other_turned);
-  return posed;
+inline PosedBeam<Real, Turned> posed_beam(Kind kind, const Motion& m, const Slot& slot,
+                                          FlowRule rule, const BondNow<Real>& bond,
+                                          const Turned& turned,
+                                          const Quaternion<Real>& other_turned) {
+  return {{bond.pose, bond.deformation},
+          rule == FlowRule::scaled_offset ? since_made(kind, m, slot, bond, turned, other_turned)
+                                          : BeamState<Real>{},
+          turned,
+          other_turned};
 }
 
 /// Its elastic deformation in the last pose, of the shape that it remembers now. `chord`,

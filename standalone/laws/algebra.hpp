@@ -31,7 +31,7 @@ constexpr double select(bool condition, double a, double b) {
 /// What is added to a square before a root, so that nothing is divided by zero: far below any
 /// square that matters, and its inverse is finite.
 template <class Real>
-inline constexpr double tiny_square = 1e-300;
+inline constexpr double tiny_square = 1e-280;
 
 /// A vector of three Cartesian components.
 template <class Real>
@@ -78,6 +78,22 @@ Real norm(const Vector3<Real>& a) {
   return sqrt(dot(a, a));
 }
 
+/// A length and what one over it and over another is.
+template <class Real>
+struct LengthAndInverses {
+  Real length, inverse, inverse_of_other;
+};
+
+/// Of the square of a length. One division, the slowest thing here, serves both inverses; a scalar
+/// may have a quicker way, found by argument-dependent lookup.
+template <class Real>
+constexpr LengthAndInverses<Real> length_and_inverses(const Real& squared, const Real& other) {
+  using std::sqrt;
+  const Real length = sqrt(squared);
+  const Real inverse_of_both = Real{1.0} / (length * other);
+  return {length, inverse_of_both * other, inverse_of_both * length};
+}
+
 /// A quaternion w + v. A unit quaternion is the orientation of a body: it turns body axes into
 /// world axes; q and −q are the same orientation.
 template <class Real>
@@ -106,6 +122,12 @@ constexpr Vector3<Real> rotate(const Quaternion<Real>& q, const Vector3<Real>& b
   return body + s + s;
 }
 
+/// A world vector in body axes.
+template <class Real>
+constexpr Vector3<Real> rotate_back(const Quaternion<Real>& q, const Vector3<Real>& world) {
+  return rotate(conjugate(q), world);
+}
+
 /// A rotation matrix by rows; cheaper than its quaternion when one orientation turns many vectors.
 template <class Real>
 struct Rotation {
@@ -128,6 +150,12 @@ struct Rotation {
 template <class Real>
 constexpr Vector3<Real> rotate(const Rotation<Real>& rotation, const Vector3<Real>& body) {
   return {dot(rotation.row_x, body), dot(rotation.row_y, body), dot(rotation.row_z, body)};
+}
+
+/// A world vector in body axes.
+template <class Real>
+constexpr Vector3<Real> rotate_back(const Rotation<Real>& rotation, const Vector3<Real>& world) {
+  return world.x * rotation.row_x + world.y * rotation.row_y + world.z * rotation.row_z;
 }
 
 }  // namespace solidem

@@ -137,13 +137,9 @@ struct BeamDeformation {
 template <class Real>
 constexpr BeamDeformation<Real> spring_deformation(const Real& rest_length,
                                                    const Vector3<Real>& chord) {
-  using std::sqrt;
-  const Real tiny{tiny_square<Real>};
-  const Real length = sqrt(dot(chord, chord) + tiny);
-  // One division, the slowest thing here, serves both reciprocals.
-  const Real inverse_of_both = Real{1.0} / (length * rest_length);
-  const Real inverse_length = inverse_of_both * rest_length;
-  return {inverse_length * chord, inverse_length, inverse_of_both * length, length - rest_length,
+  const auto [length, inverse_length, inverse_rest_length] =
+      length_and_inverses(dot(chord, chord) + Real{tiny_square<Real>}, rest_length);
+  return {inverse_length * chord, inverse_length, inverse_rest_length, length - rest_length,
           Real{0.0}};
 }
 
@@ -241,16 +237,15 @@ constexpr BeamModes<Real> beam_modes(const BeamPose<Real>& pose,
 /// Mutual energy of two deformations of a beam, J: half of what the load of one does along the
 /// other. That of one and the same is its energy.
 template <class Real>
-constexpr Real mutual_energy(const BeamRigidity<Real>& rigidity, const Real& rest_length,
+constexpr Real mutual_energy(const BeamRigidity<Real>& rigidity, const Real& inverse_rest_length,
                              const BeamModes<Real>& a, const BeamModes<Real>& b) {
   const Real half{0.5}, three{3.0};
   const Real leaning = dot(a.lean_i, b.lean_i) + dot(a.lean_j, b.lean_j);
   const Real bending = dot(a.lean_j - a.lean_i, b.lean_j - b.lean_i);
-  return half *
+  return half * inverse_rest_length *
          (rigidity.axial * a.extension * b.extension + three * rigidity.shear * leaning -
           half * (three * rigidity.shear - rigidity.bending) * bending +
-          rigidity.torsion * a.twist * b.twist) /
-         rest_length;
+          rigidity.torsion * a.twist * b.twist);
 }
 
 /// Elastic energy of a beam that has yielded nowhere.

@@ -73,12 +73,14 @@ struct BeamState {
   BeamDeformation<Real> deformation;
 };
 
-/// A bond in a pose, as the rules of flow look at it.
-template <class Real>
+/// A bond in a pose, as the rules of flow look at it. `Turned`: the orientation of i, a quaternion
+/// or a rotation.
+template <class Real, class Turned = Quaternion<Real>>
 struct PosedBeam {
   BeamState<Real> now;    ///< of the shape that the bond remembers
   BeamState<Real> whole;  ///< of the shape that it was made with; scaled offset alone looks at it
-  Quaternion<Real> orientation_i, orientation_j;
+  Turned orientation_i;
+  Quaternion<Real> orientation_j;
 };
 
 /// A flow in a pose.
@@ -189,10 +191,10 @@ constexpr BeamResponse<Real> unflowed(const YieldingBeam<Real>& beam,
 }  // namespace detail
 
 /// What would flow by a rule. Nothing that is passed in changes.
-template <FlowRule rule, class Law, class Real>
+template <FlowRule rule, class Law, class Real, class Turned>
 constexpr BeamFlow<Real> beam_flow(const YieldCurve<Law, Real>& yield,
                                    const YieldingBeam<Real>& beam, const Real& plastic_strain,
-                                   const PosedBeam<Real>& at) {
+                                   const PosedBeam<Real, Turned>& at) {
   if constexpr (rule == FlowRule::scaled_offset)
     return detail::offset_flow(yield, beam, plastic_strain, at.whole);
   else if constexpr (rule == FlowRule::associated)
@@ -203,27 +205,27 @@ constexpr BeamFlow<Real> beam_flow(const YieldCurve<Law, Real>& yield,
 
 /// What a bond does that flows, and its history if the pose is accepted. `last`: its elastic
 /// deformation in the last pose, turned with element i to where it stands now.
-template <class Real>
+template <class Real, class Turned>
 constexpr BeamResponse<Real> flowed_response(const YieldingBeam<Real>& beam,
                                              const BeamHistory<Real>& history,
-                                             const PosedBeam<Real>& at, const BeamFlow<Real>& flow,
+                                             const PosedBeam<Real, Turned>& at,
+                                             const BeamFlow<Real>& flow,
                                              const BeamModes<Real>& last) {
   const auto& [pose, left] = flow.left;
-  const Quaternion<Real> back_i = conjugate(at.orientation_i);
-  const Quaternion<Real> back_j = conjugate(at.orientation_j);
   const Real twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
   const BeamModes<Real> modes = detail::world_modes(at.now);
   const BeamModes<Real> modes_left = detail::world_modes(flow.left);
   const BeamModes<Real> twice_mean = detail::sum_of(last, Real{1.0}, modes_left);
   const BeamModes<Real> flown = detail::sum_of(modes, Real{-1.0}, modes_left);
-  return {beam_load(beam.rigidity, pose, left),
-          {rotate(back_i, pose.normal_i), rotate(back_j, pose.normal_j),
-           history.extension + (at.now.deformation.extension - left.extension), twist - left.twist,
-           flow.strain, history.last},
-          flow.elastic_strain,
-          beam_energy(beam.rigidity, pose, left),
-          mutual_energy(beam.rigidity, beam.rest_length, twice_mean, flown),
-          bond_strain(beam, pose, left, flow.elastic_strain, flow.strain)};
+  return {
+      beam_load(beam.rigidity, pose, left),
+      {rotate_back(at.orientation_i, pose.normal_i), rotate_back(at.orientation_j, pose.normal_j),
+       history.extension + (at.now.deformation.extension - left.extension), twist - left.twist,
+       flow.strain, history.last},
+      flow.elastic_strain,
+      beam_energy(beam.rigidity, pose, left),
+      mutual_energy(beam.rigidity, left.inverse_rest_length, twice_mean, flown),
+      bond_strain(beam, pose, left, flow.elastic_strain, flow.strain)};
 }
 
 /// A bond that keeps its shape, in a pose and with the deformation of it.

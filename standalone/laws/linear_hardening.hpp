@@ -46,8 +46,8 @@ struct LinearHardening {
 
   template <class Real>
   constexpr Real returned(const Real& strain, const Real& plastic_strain) const {
-    return (limit(plastic_strain) + Real{hardening_ratio} * strain) /
-           (Real{1.0} + Real{hardening_ratio});
+    return Real{1 / (1 + hardening_ratio)} *
+           (limit(plastic_strain) + Real{hardening_ratio} * strain);
   }
 
   template <class Real>

@@ -191,7 +191,7 @@ double SolidemBeam::work_seen_by_j(const double* memory, const SolidemBondEnds& 
   const solidem::BeamModes<double> after = turned(ends.orientation_i, left);
   const solidem::BeamModes<double> before =
       solidem::detail::world_modes<double>({now.pose, now.deformation});
-  return solidem::mutual_energy(bond.rigidity, bond.rest_length, sum_of(last, 1.0, after),
+  return solidem::mutual_energy(bond.rigidity, 1 / bond.rest_length, sum_of(last, 1.0, after),
                                 sum_of(before, -1.0, after));
 }
 
@@ -256,7 +256,7 @@ double SolidemBeam::lost_by_last_act(double* memory, const SolidemBondEnds& ends
   const solidem::BeamModes<double> then = last_modes(memory, bond.rest_length);
   const double push = memory[Row::LAST + 8];  // of the contact, then
   const double energy =
-      solidem::mutual_energy(bond.rigidity, bond.rest_length, then,
+      solidem::mutual_energy(bond.rigidity, 1 / bond.rest_length, then,
                              solidem::beam_modes(now.pose, now.deformation, ends.orientation_i)) -
       0.5 * push * (memory[Row::FLOW] - solidem::norm(ends.chord));
   const double lost = energy - memory[Row::ENERGY];

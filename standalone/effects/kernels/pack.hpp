@@ -105,6 +105,16 @@ inline Pack inverse_sqrt(Pack a) {
 #endif
 }
 
+#if defined(__AVX512F__)
+/// Without a root, and with a division that waits for nothing. The length is that of a root but for
+/// a rare last bit: what is left of its square corrects it.
+inline LengthAndInverses<Pack> length_and_inverses(const Pack& squared, const Pack& other) {
+  const Pack inverse = inverse_sqrt(squared);
+  const Pack length = squared * inverse;
+  return {length + (squared - length * length) * (Pack(0.5) * inverse), inverse, Pack(1.0) / other};
+}
+#endif
+
 /// `width` floats: half the bits, for laws that may do with them. Copied as a Pack is.
 typedef float HalfLanes __attribute__((vector_size(width * sizeof(float))));
 
