@@ -187,9 +187,9 @@ constexpr BeamLoad<Real> beam_load(const BeamRigidity<Real>& rigidity, const Bea
   const Real shear = bending * deformation.inverse_length;
   const Vector3<Real> force = (tension + shear * dot(sum, x)) * x - shear * sum;
   const Vector3<Real> torque = half_torque * (pose.relative_turn.w * sum + cross(a_j - a_i, u));
-  const Vector3<Real> opening = opening_stiffness * cross(a_i, a_j) - torque;
   const Vector3<Real> bent = bending * x;
-  return {force, cross(a_i, bent) - opening, cross(a_j, bent) + opening};
+  return {force, cross(a_i, bent - opening_stiffness * a_j) + torque,
+          cross(a_j, bent - opening_stiffness * a_i) - torque};
 }
 
 /// End loads of a beam that has yielded nowhere.

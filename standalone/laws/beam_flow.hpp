@@ -19,12 +19,13 @@ namespace solidem {
 
 namespace detail {
 
-/// A vector made a unit vector that is short of one by the square of an angle: Newton's steps for
-/// 1 / length from 1.
+/// A vector made a unit vector that is short of one by the square of an angle: the series of
+/// 1 / length.
 template <class Real>
-constexpr Vector3<Real> nearly_unit(Vector3<Real> v) {
-  for (int n = 0; n < 2; ++n) v = (Real{1.5} - Real{0.5} * dot(v, v)) * v;
-  return v;
+constexpr Vector3<Real> nearly_unit(const Vector3<Real>& v) {
+  const Real one{1.0};
+  const Real g = one - dot(v, v);
+  return (one + g * (Real{0.5} + g * (Real{0.375} + g * Real{0.3125}))) * v;
 }
 
 }  // namespace detail
@@ -203,8 +204,16 @@ constexpr BeamFlow<Real> beam_flow(const YieldCurve<Law, Real>& yield,
     return detail::radial_flow(yield, beam, plastic_strain, at.now);
 }
 
-/// What a bond does that flows, and its history if the pose is accepted. `last`: its elastic
-/// deformation in the last pose, turned with element i to where it stands now.
+/// Strains of a bond after a flow.
+template <class Real>
+constexpr BondStrain<Real> strains_after(const YieldingBeam<Real>& beam,
+                                         const BeamFlow<Real>& flow) {
+  return bond_strain(beam, flow.left.pose, flow.left.deformation, flow.elastic_strain, flow.strain);
+}
+
+/// What a bond does that flows, and its history if the pose is accepted; without its strains, which
+/// cost roots that few ask for. `last`: its elastic deformation in the last pose, turned with
+/// element i to where it stands now.
 template <class Real, class Turned>
 constexpr BeamResponse<Real> flowed_response(const YieldingBeam<Real>& beam,
                                              const BeamHistory<Real>& history,
@@ -213,19 +222,19 @@ constexpr BeamResponse<Real> flowed_response(const YieldingBeam<Real>& beam,
                                              const BeamModes<Real>& last) {
   const auto& [pose, left] = flow.left;
   const Real twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
-  const BeamModes<Real> modes = detail::world_modes(at.now);
-  const BeamModes<Real> modes_left = detail::world_modes(flow.left);
-  const BeamModes<Real> twice_mean = detail::sum_of(last, Real{1.0}, modes_left);
-  const BeamModes<Real> flown = detail::sum_of(modes, Real{-1.0}, modes_left);
+  const BeamModes<Real> twice_mean =
+      detail::sum_of(last, Real{1.0}, detail::world_modes(flow.left));
+  const BeamModes<Real> flown{
+      at.now.pose.normal_i - pose.normal_i, at.now.pose.normal_j - pose.normal_j,
+      at.now.deformation.extension - left.extension, at.now.deformation.twist - left.twist};
   return {
       beam_load(beam.rigidity, pose, left),
       {rotate_back(at.orientation_i, pose.normal_i), rotate_back(at.orientation_j, pose.normal_j),
-       history.extension + (at.now.deformation.extension - left.extension), twist - left.twist,
-       flow.strain, history.last},
+       history.extension + flown.extension, twist - left.twist, flow.strain, history.last},
       flow.elastic_strain,
       beam_energy(beam.rigidity, pose, left),
       mutual_energy(beam.rigidity, left.inverse_rest_length, twice_mean, flown),
-      bond_strain(beam, pose, left, flow.elastic_strain, flow.strain)};
+      {}};
 }
 
 /// A bond that keeps its shape, in a pose and with the deformation of it.
@@ -248,6 +257,7 @@ constexpr BeamResponse<Real> flow_response(FlowRule rule, const YieldCurve<Law, 
     const bool flows = any(greater(flow.strain, history.strain));
     BeamResponse<Real> response = flows ? flowed_response(beam, history, at, flow, last)
                                         : elastic_response(beam, history, at.now);
+    if (flows) response.strains = strains_after(beam, flow);
     response.history.last = detail::world_modes(flows ? flow.left : at.now);
     return response;
   });

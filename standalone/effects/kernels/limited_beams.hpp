@@ -159,18 +159,19 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
       flowed_response(at.beam, before, posed, flow, last_of(kind, m, slot, bond, own, own_last));
   SlotLoad result{response.load.force, response.load.moment_i,
                   select(flowing, Pack(0.5) * response.plastic_work, Pack(0.0))};
-  BondStrain<Pack> strains = response.strains;
   if (rule == FlowRule::scaled_offset) {
     // Lanes that do not flow keep the shape they had, which is not that of the response.
     const BeamLoad<Pack> kept = load_of(kind, bond);
     result.force = select(flowing, result.force, kept.force);
     result.moment = select(flowing, result.moment, kept.moment_i);
-    strains = select(flowing, strains, strain_of(at));
   }
   keep(kind, m, slot, flowing, before, response.history);
   keep_rate(yield, m, slot, flowing, flow.strain);
   refresh_limit(yield, m, slot, flowing, flow.strain, scale_of(kind, m, slot));
-  if (m.rupture != nullptr) report(m, slot, present, strains, scale_of(kind, m, slot));
+  if (m.rupture == nullptr) return result;
+  BondStrain<Pack> strains = strains_after(at.beam, flow);
+  if (rule == FlowRule::scaled_offset) strains = select(flowing, strains, strain_of(at));
+  report(m, slot, present, strains, scale_of(kind, m, slot));
   return result;
 }
 
