@@ -28,8 +28,8 @@ void move_beams(const BeamMotion& m, LimitedRows limited_rows, std::size_t first
       std::size_t row = m.first_row[block];
       const auto look_closely = [&] {
         const SlotPlace slot{row, static_cast<std::size_t>(lane)};
-        const RowSum sum =
-            limited_rows(m, element, slot, m.first_row[block + 1], {force, moment, work});
+        const RowSum sum = limited_rows(m, element, slot, {m.first_row[block + 1], end_row},
+                                        {force, moment, work});
         force = sum.load.force;
         moment = sum.load.moment;
         work = sum.load.work;

@@ -175,6 +175,11 @@ inline SlotLoad flowing_load(Kind kind, const Law& law, const BeamMotion& m, con
   return result;
 }
 
+/// Where rows end: those of a block, and all that a loop goes through.
+struct RowEnds {
+  std::size_t block, all;
+};
+
 /// Rows of slots that were added up.
 struct RowSum {
   SlotLoad load;
@@ -205,15 +210,15 @@ inline SlotLoad limited_load(Kind kind, const BeamMotion& m, const SlotPlace& sl
 /// called for cold and copy packs through memory.
 template <class Law, FlowRule rule, class Kind>
 [[gnu::noinline, gnu::flatten]] RowSum limited_rows(const BeamMotion& m, std::size_t element,
-                                                    SlotPlace slot, std::size_t end_row,
+                                                    SlotPlace slot, const RowEnds& ends,
                                                     const SlotLoad& so_far) {
   constexpr bool flows = !std::is_same_v<Law, NoFlow>;
   const Kind kind{m.bond_rigidity != nullptr};
   const OwnEnds own(element, Row::load(m.pose + 8 * element));
   const OwnLastEnds own_last(Row::load((flows ? m.last_pose : m.pose) + 8 * element), own.turned);
   SlotLoad sum = so_far;
-  for (bool goes_on = true; goes_on && slot.row < end_row; ++slot.row) {
-    if (slot.row + rows_ahead < end_row) {
+  for (bool goes_on = true; goes_on && slot.row < ends.block; ++slot.row) {
+    if (slot.row + rows_ahead < ends.all) {
       prefetch(m, m.pose, slot.of(1) + rows_ahead * lanes);
       if (flows) prefetch(m, m.last_pose, slot.of(1) + rows_ahead * lanes);
     }
@@ -230,8 +235,8 @@ template <class Law, FlowRule rule, class Kind>
   return {sum, slot.row};
 }
 
-using LimitedRows = RowSum (*)(const BeamMotion&, std::size_t element, SlotPlace,
-                               std::size_t end_row, const SlotLoad& so_far);
+using LimitedRows = RowSum (*)(const BeamMotion&, std::size_t element, SlotPlace, const RowEnds&,
+                               const SlotLoad& so_far);
 
 /// Chosen once, outside the loops: they do not grow with the table of laws.
 template <bool has_rotation, bool own_limits>
