@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bars of elements: how they are calibrated, loaded and read."""
+"""Blocks of elements: how they are calibrated, loaded and read."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ hardening_exponent = {law.N:g}
 BODY = f"""\
 [specimen]
 shape = "box"
-size = ["5 mm", "3 mm", "2 mm"]
+size = ["5 mm", "4.5 mm", "4.5 mm"]
 elements = ELEMENTS
 seed = SEED
 [material]
@@ -66,7 +66,7 @@ tolerance = TOLERANCE
 """
 RUN = """\
 [conduction]
-law = "platonic-calibrated"
+law = "voronoi"
 initial_temperature = "START K"
 largest_change = "0.05 K"
 [plastic_heat]
@@ -100,9 +100,9 @@ frames = 80
 
 @dataclass(frozen=True)
 class Flow:
-    """What one bar showed in a test."""
+    """What one block showed in a test."""
 
-    rises: Any  #: means of the elements of the gauge section at the strains of the table, K
+    rises: Any  #: heat of the gauge section over its capacity at the strains of the table, K
     strain: Any  #: logarithmic, of the gauge section
     stress: Any  #: true, on the section of a constant volume, Pa
     heat_gap: float  #: between heat and β times the plastic work, over the work done
@@ -112,8 +112,8 @@ class Flow:
 
 def solidem(folder: Path, *words: str) -> None:
     """Runs it in the folder; 1 is what a calibration ends with that comes near, but not near enough."""
-    done = subprocess.run([PROGRAM, *words, "--quiet", "-t", "1"], check=False, cwd=folder,
-                          capture_output=True, text=True)
+    done = subprocess.run([PROGRAM, *words], check=False, cwd=folder, capture_output=True, text=True,
+                          env={**os.environ, "OMP_NUM_THREADS": "1"})
     if done.returncode not in (0, 1):
         raise SystemExit(done.stderr)
 
@@ -146,7 +146,7 @@ def without_softening(beams: str) -> str:
 
 def loaded(folder: Path, name: str, body: str, test: Test, load: str, ratio: float = 0.5,
            factor: float = 1) -> Flow:
-    """Pulls or compresses a bar; `ratio` of the stable time step, masses times `factor`."""
+    """Pulls or compresses a block; `ratio` of the stable time step, masses times `factor`."""
     sign = -1 if load == "compression" else 1
     rate = sign * test.rate
     speed = rate * (LENGTH - GRIPS)
@@ -154,12 +154,19 @@ def loaded(folder: Path, name: str, body: str, test: Test, load: str, ratio: flo
                  thin=-0.33 * rate, duration=1.15 * math.expm1(sign * test.strain[-1]) / rate,
                  ratio=ratio, scaling=f"[mass_scaling]\nfactor = {factor:g}\n" if factor > 1 else "")
     (folder / f"{name}.toml").write_text(text)
+    solidem(folder, "prepare", f"{name}.toml", "-o", f"{name}.h5")
     solidem(folder, "run", f"{name}.toml", "-o", name)
-    return read_flow(folder / name, test, sign)
+    with h5py.File(folder / f"{name}.h5") as file:
+        cells = np.array(file["conduction/volume"])
+    return read_flow(folder / name, test, sign, cells)
 
 
-def read_flow(folder: Path, test: Test, sign: int) -> Flow:
-    """From what a run has written; strain and stress count above 0 along the load."""
+def read_flow(folder: Path, test: Test, sign: int, cells: Any) -> Flow:
+    """From what a run has written; strain and stress count above 0 along the load.
+
+    `cells`: (N,) volumes of the elements' cells. Those at the surface are larger and stay colder, so that a mean
+    that counts elements is not that of the heat.
+    """
     with (folder / "history.csv").open() as file:
         rows = list(csv.DictReader(file))
     column = {key: np.array([float(row[key]) for row in rows]) for key in rows[0]}
@@ -169,7 +176,8 @@ def read_flow(folder: Path, test: Test, sign: int) -> Flow:
         x = np.array(frames[0]["position"])[:, 0]
         inside = (x > 1.5e-3) & (x < 3.5e-3)
         moments = np.array([frame.attrs["time"] for frame in frames])
-        means = np.array([np.array(frame["temperature"])[inside].mean() for frame in frames])
+        means = np.array([np.average(np.array(frame["temperature"])[inside], weights=cells[inside])
+                          for frame in frames])
     at = np.interp(np.interp(test.strain, strain, column["time"]), moments, means)
     work = column["external_work"][-1]
     heat = column["thermal_energy"] + column["waiting_heat"]

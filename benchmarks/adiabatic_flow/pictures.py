@@ -12,14 +12,14 @@ matplotlib.use("agg")
 import matplotlib.pyplot as plt  # type: ignore[import]  # noqa: E402
 import numpy as np  # noqa: E402
 
-from .bars import SEEDS, Flow  # noqa: E402
+from .blocks import SEEDS, Flow  # noqa: E402
 from .law import A, B, MODULUS, N, TESTS, adiabatic, quickening, softening  # noqa: E402
 
 COLOURS = ("tab:blue", "tab:green", "tab:red")
 
 
 def draw_rises(mean: Any, scatter: Any, path: Path) -> None:
-    """Figure 4.3: rises over strain, measured, of the thesis, of the law and of the bars (10,)."""
+    """Figure 4.3: rises over strain, measured, of the thesis, of the law and of the blocks (10,)."""
     figure, panels = plt.subplots(1, len(TESTS), figsize=(9.5, 3.4), constrained_layout=True)
     first = 0
     for axes, test, colour in zip(panels, TESTS, COLOURS):
@@ -30,7 +30,7 @@ def draw_rises(mean: Any, scatter: Any, path: Path) -> None:
         axes.plot(test.strain, test.thesis, "^:", color="0.5", ms=4, lw=1, label="thesis")
         axes.plot(strain, rise, "k-.", lw=0.8, label="law alone")
         axes.errorbar(test.strain, mean[rows], scatter[rows], fmt="s--", color="k", ms=4,
-                      capsize=3, lw=1, label="bars, ± of packings")
+                      capsize=3, lw=1, label="blocks, ± of packings")
         axes.set(xlabel="strain", title=test.label, xlim=(0, None), ylim=(0, None))
     panels[0].set_ylabel("rise of temperature, K")
     panels[0].legend(frameon=False, fontsize=8)
@@ -39,17 +39,17 @@ def draw_rises(mean: Any, scatter: Any, path: Path) -> None:
 
 
 def draw_stresses(found: dict[tuple[str, int, int], Flow], path: Path) -> None:
-    """Figure 4.4: true stress over strain of bars that only harden, of bars, and of the law."""
+    """Figure 4.4: true stress over strain of blocks that only harden, of blocks, and of the law."""
     figure, axes = plt.subplots(figsize=(6, 4), constrained_layout=True)
     for seed in SEEDS:
         hard = found["hard", 2, seed]
         axes.plot(hard.strain, 1e-6 * hard.stress, color="0.5", lw=0.8,
-                  label="bars that only harden" if seed == SEEDS[0] else None)
+                  label="blocks that only harden" if seed == SEEDS[0] else None)
     for t, (test, colour) in enumerate(zip(TESTS, COLOURS)):
         for seed in SEEDS:
             one = found["law", t, seed]
             axes.plot(one.strain, 1e-6 * one.stress, color=colour, lw=0.8, alpha=0.7,
-                      label=f"bars, {test.label}" if seed == SEEDS[0] else None)
+                      label=f"blocks, {test.label}" if seed == SEEDS[0] else None)
         strain, stress, _ = adiabatic(test, 2000)
         axes.plot(strain, 1e-6 * stress, "--", color=colour, lw=1.2)
     plastic = np.linspace(0, 0.2, 400)

@@ -8,7 +8,7 @@ import tomllib
 import numpy as np
 import pytest
 
-from benchmarks.adiabatic_flow import bars, law
+from benchmarks.adiabatic_flow import blocks, law
 from benchmarks.bimetal_strip import __main__ as strip
 
 
@@ -29,7 +29,7 @@ def test_an_adiabatic_point_keeps_its_heat() -> None:
 
 
 def test_without_softening_only_hardening_is_left() -> None:
-    flow = tomllib.loads(bars.without_softening(bars.BEAMS))["plasticity"]
+    flow = tomllib.loads(blocks.without_softening(blocks.BEAMS))["plasticity"]
     assert set(flow) == {"section", "hardening", "yield_stress", "hardening_stress",
                          "hardening_exponent"}
 
