@@ -116,7 +116,7 @@ def build_wheel(wheel_directory: str, config_settings: dict[str, Any] | None = N
     name = f"solidem-{_version()}-{_tag()}.whl"
     wheel = _Wheel(Path(wheel_directory) / name)
     for path in sorted(package.iterdir()):
-        if path.suffix in (".py", ".pyi", ".so") or path.name == "py.typed":
+        if path.suffix in (".py", ".pyi", ".csv", ".so") or path.name == "py.typed":
             wheel.add(f"solidem/{path.name}", path.read_bytes())
     wheel.add(f"{wheel.name}/METADATA", _metadata().encode())
     wheel.add(f"{wheel.name}/WHEEL", "Wheel-Version: 1.0\nGenerator: solidem\nRoot-Is-Purelib: false\n"

@@ -13,9 +13,10 @@ import csv
 import json
 import os
 import sys
+import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Sequence
+from typing import NamedTuple, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -165,15 +166,26 @@ def figure_of(results: Results, of: str, at: str = "end") -> float:
     return float(np.interp(moment, history["time"], column))
 
 
-def ran(scene: Scene, folder: Path) -> Results:
-    """Runs a scene, unless its results are there."""
-    told = folder / "values.json"
-    values = json.dumps(scene.values, sort_keys=True)
-    if told.exists() and told.read_text() == values and Results(folder).summary["completed"]:
-        return Results(folder)
+class Taken(NamedTuple):
+    """What a run took, s."""
+
+    seconds: float  #: by the clock
+    processor: float  #: of the processor, in all threads
+
+
+def ran(scene: Scene, folder: Path) -> tuple[Results, Taken]:
+    """Runs a scene, unless its results are there; with the time that it took, its packing too."""
+    told = folder / "asked.json"
+    asked = json.dumps([scene.text, scene.changes], sort_keys=True, default=str)
+    if told.exists():
+        before = json.loads(told.read_text())
+        if before["asked"] == asked and Results(folder).summary["completed"]:
+            return Results(folder), Taken(*before["taken"])
+    start, start_of_processor = time.perf_counter(), time.process_time()
     results = scene.run(folder, overwrite=True)
-    told.write_text(values)
-    return results
+    taken = Taken(time.perf_counter() - start, time.process_time() - start_of_processor)
+    told.write_text(json.dumps({"asked": asked, "taken": taken}))
+    return results, taken
 
 
 def converge(source: Source | Scene, of: str, *, values: Sequence[float], key: str = ELEMENTS,
@@ -189,7 +201,7 @@ def converge(source: Source | Scene, of: str, *, values: Sequence[float], key: s
         for seed in range(1, seeds + 1):
             whole = int(value) if float(value).is_integer() else value
             changes = {key: whole, **({SEED: seed} if seeds > 1 else {})}
-            results = ran(scene.changed(changes), Path(folder) / f"{key}_{value:g}_{seed}")
+            results, _ = ran(scene.changed(changes), Path(folder) / f"{key}_{value:g}_{seed}")
             figures.append(figure_of(results, of, at))
             seconds.append(sum(results.summary["wall_seconds"].values()))
         size = float(value)**(-1 / 3) if key == ELEMENTS else float(value)

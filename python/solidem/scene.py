@@ -67,6 +67,11 @@ class Scene:
         return tomllib.loads(self.text)
 
     @property
+    def changes(self) -> dict[str, Any]:
+        """The values that hold in place of its text's, by dotted keys."""
+        return dict(self._changes)
+
+    @property
     def values(self) -> dict[str, str]:
         """All that was read, with the changes, in SI units: {"[beams] young_modulus": "3e+12"}."""
         return dict(self._read.record)

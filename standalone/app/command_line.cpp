@@ -247,7 +247,10 @@ void declare_python(CLI::App& app, Action& chosen) {
                   "Paint a picture or a film of a run, in Python; more by solidem view --help"),
         std::pair("converge",
                   "What a figure tends to as a scene gets finer, in Python; more by solidem "
-                  "converge --help")}) {
+                  "converge --help"),
+        std::pair("advise",
+                  "How fine a scene has to be for an error that is asked for, and what that takes, "
+                  "in Python; more by solidem advise --help")}) {
     CLI::App* command = app.add_subcommand(name, description);
     command->prefix_command();
     command->set_help_flag();

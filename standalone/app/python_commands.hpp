@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Commands that the Python module has: `solidem view` and `solidem converge`.
+// Commands that the Python module has: `solidem view`, `solidem converge` and
+// `solidem advise`.
 #ifndef SOLIDEM_APP_PYTHON_COMMANDS_HPP
 #define SOLIDEM_APP_PYTHON_COMMANDS_HPP
 

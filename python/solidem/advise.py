@@ -1,0 +1,416 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How fine a scene has to be for a figure that errs by no more than is asked for, and how long that
+takes: from a few small runs and from what the studies found of such scenes.
+
+    solidem advise tension.toml --error 1% --of gauge.stress --write fine.toml
+    solidem advise conduction.toml --error 0.5% --run
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Sequence
+
+import numpy as np
+
+from ._core import InputError, RunError
+from .advice_text import json_of, text_of
+from .choices import Choices, Chooser
+from .converge import Level
+from .foretold import Cost, ErrorModel, Errors, exponent_of
+from .pilots import Pilot, Pilots, mean_cost
+from .refinement import Refinement, refinement_of
+from .scene import Scene
+from .scene_edit import edited
+from .scene_text import toml_text
+from .studies import Study, kind_of, study_of
+
+COARSEST = 300.0  #: elements of the coarsest body, all bodies together
+GROWTH = 2.5  #: from one level to the next
+MOST_LEVELS = 6
+LARGEST = 300_000  #: elements that are proposed at most
+PILOT_SECONDS = 60.0
+PACKINGS = 3
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """A scene that keeps an error, and what that takes."""
+
+    elements: int
+    packings: int  #: whose mean keeps the error
+    changes: dict[str, Any]  #: of the scene, by dotted keys
+    errors: Errors
+    cost: Cost  #: of one packing
+    bytes: float  #: of one packing
+
+
+@dataclass(frozen=True)
+class Advice:
+    """All that was found."""
+
+    scene: Scene
+    of: str
+    at: str
+    error: float  #: that is asked for
+    kind: str
+    study: Study | None
+    scale: float
+    levels: list[Level]  #: from the coarsest
+    costs: list[Cost]  #: of one packing of each
+    model: ErrorModel | None  #: None: bodies stay as they are
+    choices: Choices
+    why_not_finer: str  #: what keeps bodies as they are
+    proposal: Proposal | None  #: None: no body up to the largest keeps the error
+    cheaper: Proposal | None  #: the mean of several packings, where that takes less time
+    least: Proposal | None  #: the largest body that was thought of, where no body keeps the error
+    pilot_seconds: float
+
+
+class Adviser:
+    """Makes the pilot runs of one scene."""
+
+    def __init__(self, scene: Scene, error: float, *, of: str = "", at: str = "end",
+                 packings: int = 1, largest: float = LARGEST, seconds: float = PILOT_SECONDS,
+                 folder: str | os.PathLike[str] = "results/advise") -> None:
+        self.scene, self.error, self.packings = scene, error, packings
+        self.largest, self.seconds = largest, seconds
+        self.tables = scene.tables
+        self.kind = kind_of(self.tables)
+        if not self.kind or "run" not in self.tables:
+            raise InputError(f"{scene.path}: nothing in it moves or gets warm; expected [run] and one "
+                             "of [conduction], [beams], [central_forces], [contact]")
+        self.refinement: Refinement = refinement_of(self.tables)
+        self.pilots = Pilots(scene, self.refinement, of, at, Path(folder))
+        self.choices = Choices()
+
+    def advice(self) -> Advice:
+        """Chooses, refines, foretells."""
+        refined = bool(self.refinement.bodies)
+        coarse = self._coarse() if refined else 1.0
+        chooser = Chooser(self.pilots, self.tables, self.kind, self.error, coarse)
+        self.choices = chooser.all()
+        self._note_layers()
+        study = study_of(self.kind, self.choices.law)
+        if not refined:
+            return self._as_they_are(study)
+        levels, runs = self._ladder(coarse, study)
+        scale = float(np.mean([run.scale for run in runs[-1]]))
+        if scale == 0:
+            raise InputError(f"{self.scene.path}: {self.pilots.of} is zero all through the run; expected "
+                             "a figure that something happens to")
+        costs = [mean_cost(level) for level in runs]
+        model = ErrorModel(levels, scale, study, self.choices.step_error)
+        exponent = self._exponent(levels, costs)
+
+        def proposal(elements: float, packings: int) -> Proposal:
+            return self._proposal(model, elements, packings, levels, costs, runs, exponent)
+
+        found = model.elements_for(self.error, self.largest, self.packings)
+        best = proposal(found, self.packings) if found else None
+        cheaper = None
+        if self.packings == 1:
+            for packings in (2, 3, 4, 6, 8):
+                fewer = model.elements_for(self.error, self.largest, packings)
+                if fewer:
+                    other = proposal(fewer, packings)
+                    known = cheaper or best
+                    if known is None or (packings * other.cost.seconds
+                                         < 0.8 * known.packings * known.cost.seconds):
+                        cheaper = other
+        least = proposal(self.largest, self.packings) if best is None else None
+        return Advice(self.scene, self.pilots.of, self.pilots.at, self.error, self.kind, study, scale,
+                      levels, costs, model, self.choices, "", best, cheaper, least,
+                      self.pilots.seconds)
+
+    def _coarse(self) -> float:
+        """How many times the scene's own elements the coarsest body has."""
+        asked = [body.elements for body in self.refinement.bodies]
+        if None in asked:  # a radius is asked for: the packing tells
+            self.own_elements = float(len(self.scene.specimen()))
+        else:
+            self.own_elements = float(sum(count or 0 for count in asked))
+        return min(COARSEST / self.own_elements, 1.0)
+
+    def _ladder(self, factor: float,
+                study: Study | None) -> tuple[list[Level], list[list[Pilot]]]:
+        """Levels as long as their runs fit into the time, and are needed."""
+        levels: list[Level] = []
+        runs: list[list[Pilot]] = []
+        exponent = self.choices.time_exponent or 4 / 3
+        for number in range(MOST_LEVELS):
+            packings = PACKINGS
+            if levels:
+                cost = mean_cost(runs[-1]).times(GROWTH, exponent)
+                foreseen = min(cost.seconds, cost.processor)
+                left = self.seconds - self.pilots.seconds
+                packings = min(PACKINGS, int(left / foreseen))
+                if packings < 1 and len(levels) > 2:
+                    break
+            self._rarer_heat(factor)
+            level, made = self.pilots.level(factor, self.choices.changes, max(packings, 1))
+            levels.append(level)
+            runs.append(made)
+            factor *= GROWTH
+            if factor * self.own_elements > self.largest or self._told(levels, made, study):
+                break
+        return levels, runs
+
+    def _told(self, levels: list[Level], finest: list[Pilot], study: Study | None) -> bool:
+        """Whether a body no finer than these keeps the error."""
+        scale = float(np.mean([run.scale for run in finest]))
+        if len(levels) < 3 or scale == 0:
+            return False
+        model = ErrorModel(levels, scale, study, self.choices.step_error)
+        return model.elements_for(self.error, levels[-1].value, self.packings) is not None
+
+    def _rarer_heat(self, factor: float) -> None:
+        """Explicit heat is stable up to the square of the size, steps of motion go as the size."""
+        every = self.choices.changes.get("conduction.every")
+        while every and every > 1:
+            try:
+                self.pilots.run(factor, self.choices.changes)
+                return
+            except InputError:
+                every = max(1, every // 3)
+                self.choices.changes["conduction.every"] = every
+
+    def _exponent(self, levels: list[Level], costs: list[Cost]) -> float:
+        return exponent_of((levels[-2].value, costs[-2]), (levels[-1].value, costs[-1]),
+                           self.choices.time_exponent)
+
+    def _proposal(self, model: ErrorModel, elements: float, packings: int, levels: list[Level],
+                  costs: list[Cost], runs: list[list[Pilot]], exponent: float) -> Proposal:
+        rounded = float(f"{elements * 1.005:.2g}")
+        elements = rounded if rounded >= elements else rounded + 10**np.floor(np.log10(elements) - 1)
+        # The scene's own number of elements is asked for, what is made may differ a little.
+        asked = levels[-1].value / self._factor_of(levels[-1])
+        changes = {**self.choices.changes, **self.refinement.changes(elements / asked)}
+        every = changes.get("conduction.every", 1)
+        if every > 1 and elements > levels[-1].value:
+            changes["conduction.every"] = max(1, int(every * (levels[-1].value / elements)**(1 / 3)))
+        cost = costs[-1].times(elements / levels[-1].value, exponent)
+        return Proposal(int(elements), packings, changes, model.errors(elements, packings), cost,
+                        elements * runs[-1][0].bytes_per_element)
+
+    def _factor_of(self, level: Level) -> float:
+        """Of the scene's own elements."""
+        return level.value / self.own_elements
+
+    def _as_they_are(self, study: Study | None) -> Advice:
+        """A body that stays: its steps alone are chosen."""
+        run = self.pilots.run(1.0, self.choices.changes)
+        step = self.choices.step_error
+        errors = Errors(0.0, 0.0, 0.0, step / 2, step)
+        proposal = Proposal(run.elements, 1, dict(self.choices.changes), errors, run.cost,
+                            run.elements * run.bytes_per_element)
+        kept = step <= self.error
+        return Advice(self.scene, self.pilots.of, self.pilots.at, self.error, self.kind, study,
+                      run.scale, [], [], None, self.choices, self.refinement.why_not,
+                      proposal if kept else None, None, None if kept else proposal,
+                      self.pilots.seconds)
+
+    def _note_layers(self) -> None:
+        """Regions that shrink with the elements."""
+        left = [name for name in ("grips", "sets", "beams", "initial_velocities", "body")
+                if "'layers'" in str(self.tables.get(name))]
+        left += [str(table.get("name")) for table in self.tables.get("temperatures", [])
+                 if "layers" in table.get("region", {})
+                 and f"temperatures.{table.get('name')}.wall" not in self.choices.changes]
+        if "beams" in self.tables or "central_forces" in self.tables:
+            self.choices.notes.append(
+                "moduli of beams, or stiffnesses, hold for bodies of one fineness: solidem calibrate finds "
+                "them for what is proposed, and takes away what of the error of fineness is stiffness")
+        if self.refinement.bodies and left:
+            self.choices.notes.append(
+                f"regions of so many layers ({', '.join(left)}) get thinner as bodies get finer, which "
+                "moves the figure; depth = \"…\" in their place holds the same part of each body")
+
+
+def advise(scene: Scene | str | os.PathLike[str], error: float, **how: Any) -> Advice:
+    """Advice on a scene for a figure that errs by no more than `error`, a share of its scale. `how`:
+    of, at, packings, largest (elements), seconds (of pilot runs), folder."""
+    return Adviser(scene if isinstance(scene, Scene) else Scene(scene), error, **how).advice()
+
+
+def scene_text(advice: Advice, proposal: Proposal) -> str:
+    """The scene as it is proposed, in the words of the scene."""
+    source = advice.scene
+    wanted = source.changed(proposal.changes)
+    text = edited(source.text, proposal.changes)
+    try:
+        same = Scene(text, folder=source.path.parent, name=source.path.stem).values == wanted.values
+    except InputError:
+        same = False
+    if not same:  # values on several lines, tables in braces: without its comments
+        tables = json.loads(json.dumps(source.tables, default=str))
+        for key, value in proposal.changes.items():
+            section, *between, entry = key.split(".")
+            table = tables.setdefault(section, {})
+            if between:
+                table = next(part for number, part in enumerate(table)
+                             if part.get("name", str(number)) == between[0])
+            table[entry] = value
+            if value is None:
+                del table[entry]
+        text = toml_text(tables)
+    head = (f"# Proposed by solidem advise: {advice.of} at the {advice.at} within "
+            f"{100 * advice.error:g} % of what finer bodies tend to"
+            + (f",\n# as the mean of {proposal.packings} packings (seeds).\n"
+               if proposal.packings > 1 else ".\n"))
+    return head + text
+
+
+def write_scene(advice: Advice, proposal: Proposal, file: Path, overwrite: bool) -> None:
+    """Writes and reads it. InputError where it cannot stand there."""
+    if file.exists() and not overwrite:
+        raise InputError(f"{file}: exists already; expected a new name, or --overwrite")
+    text = scene_text(advice, proposal)
+    try:
+        Scene(text, folder=file.parent, name=file.stem)
+    except InputError as error:
+        raise InputError(f"{file}: {error}; a scene that names files stands beside them: expected a "
+                         f"place in {advice.scene.path.parent}") from error
+    try:
+        file.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"{file}: {error.strerror}; expected a file that can be written") from error
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What the run and the finer one say of the promise."""
+
+    figure: float  #: of the proposed scene, the mean of its packings
+    finer: float  #: of twice the elements and half the step
+    differs: float  #: as a share of the scale
+    from_limit: float | None  #: of the figure, with all runs together
+    seconds: float  #: of one run of the proposed scene
+    processor: float
+    held: bool
+
+
+def check(advice: Advice, proposal: Proposal, folder: Path) -> Verdict:
+    """Runs what is proposed and one finer body."""
+    pilots = Pilots(advice.scene, Refinement([], "", {}), advice.of, advice.at, folder)
+    refinement = refinement_of(advice.scene.tables)
+    seeds = [{key: seed + 100 * packing for key, seed in refinement.seeds.items()} if packing else {}
+             for packing in range(proposal.packings)]
+    runs = [pilots.run(1.0, {**proposal.changes, **seed}) for seed in seeds]
+    finer = dict(proposal.changes)
+    if refinement.bodies:
+        made = Scene(scene_text(advice, proposal), folder=advice.scene.path.parent, name="proposed")
+        finer |= refinement_of(made.tables).changes(2.0)
+    if "run.time_step_ratio" in finer and not refinement.bodies:
+        finer["run.time_step_ratio"] = finer["run.time_step_ratio"] / 2
+    fine = [pilots.run(2.0, {**finer, **seed}) for seed in seeds]
+    figure = float(np.mean([run.figure for run in runs]))
+    better = float(np.mean([run.figure for run in fine]))
+    differs = abs(figure - better) / advice.scale
+    from_limit = None
+    if advice.model is not None:
+        levels = [*advice.levels, Level(runs[0].elements, 0, np.array([r.figure for r in runs]), 0),
+                  Level(fine[0].elements, 0, np.array([r.figure for r in fine]), 0)]
+        limit = ErrorModel(levels, advice.scale, advice.study).limit[0]
+        from_limit = abs(figure - limit) / advice.scale
+    cost = mean_cost(runs)
+    return Verdict(figure, better, differs, from_limit, cost.seconds, cost.processor,
+                   differs <= advice.error and (from_limit or 0.0) <= advice.error)
+
+
+def share(text: str) -> float:
+    """ "1%", "1 %" or 0.01."""
+    word = text.strip()
+    try:
+        value = float(word.rstrip("% ")) / (100 if word.endswith("%") else 1)
+    except ValueError:
+        value = -1.0
+    if not 1e-6 <= value < 1:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a share such as 1% or 0.01, from "
+                                         "0.0001% and below 100%")
+    return value
+
+
+def positive(text: str) -> float:
+    """A number above 0."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a number above 0")
+    return value
+
+
+def parser() -> argparse.ArgumentParser:
+    """Of the command's words."""
+    made = argparse.ArgumentParser(
+        prog="solidem advise", description="How fine a scene has to be for a figure that errs by no "
+        "more than is asked for, and how long that takes: by a few small runs.")
+    add = made.add_argument
+    add("scene", type=Path)
+    add("--error", required=True, type=share, metavar="SHARE", help="of the figure's largest magnitude "
+        "in the run (of a temperature: of its largest change), such as 1%%")
+    add("--of", default="", metavar="COLUMN", help="of the history, for example gauge.stress (default: "
+        "the stress of the gauge, else the first sensor, grip or tool)")
+    add("--at", default="end", help="end, peak (largest magnitude) or a time in s (default: end)")
+    add("--packings", type=int, default=1, metavar="N", help="whose mean is meant (default: 1)")
+    add("--largest", type=positive, default=LARGEST, metavar="N",
+        help=f"elements that may be proposed (default: {LARGEST})")
+    add("--pilot-seconds", type=positive, default=PILOT_SECONDS, metavar="S", help="that small runs may "
+        f"take together, about (default: {PILOT_SECONDS:g})")
+    add("--write", type=Path, metavar="FILE", help="the proposed scene")
+    add("--overwrite", action="store_true", help="FILE, where it is there")
+    add("--run", action="store_true", help="run what is proposed and a body of twice the elements, and "
+        "say whether the promise held; exit status 1: it did not")
+    add("--json", action="store_true", help="for programs, all in SI units")
+    add("-o", "--output", type=Path, default=Path("results/advise"), metavar="DIR",
+        help="runs that are there are not made again (default: results/advise)")
+    return made
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """The command; 2 where something given cannot be used, 1 where a run cannot go on, no body keeps
+    the error, or the promise did not hold."""
+    reader = parser()
+    given = reader.parse_args(words)
+    if given.packings < 1:
+        reader.error(f"argument --packings: {given.packings}: expected 1 or more")
+    verdict = None
+    try:
+        if given.write and given.write.exists() and not given.overwrite:
+            raise InputError(f"{given.write}: exists already; expected a new name, or --overwrite")
+        found = advise(Scene(given.scene), given.error, of=given.of, at=given.at,
+                       packings=given.packings, largest=given.largest, seconds=given.pilot_seconds,
+                       folder=given.output / "pilots")
+        if not given.json:
+            print(text_of(found), flush=True)
+        if found.proposal and given.write:
+            write_scene(found, found.proposal, given.write, given.overwrite)
+            if not given.json:
+                print(given.write)
+        if found.proposal and given.run:
+            verdict = check(found, found.proposal, given.output / "run")
+    except (InputError, OSError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    except RunError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    if given.json:
+        print(json.dumps(json_of(found) | ({"verdict": asdict(verdict)} if verdict else {}), indent=2))
+    elif verdict:
+        told = f", {100 * verdict.from_limit:.2g} % from the limit" if verdict.from_limit else ""
+        print(f"{'held' if verdict.held else 'NOT held'}: {found.of} = {verdict.figure:.6g}, of a finer "
+              f"run {verdict.finer:.6g}: {100 * verdict.differs:.2g} % apart{told}; took "
+              f"{verdict.seconds:.3g} s")
+    return 0 if found.proposal and (verdict is None or verdict.held) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
