@@ -113,6 +113,7 @@ class Study:
     options: dict[str, Any] = field(default_factory=dict)  #: of the measures, as in a case
     references: dict[str, Reference] = field(default_factory=dict)
     markers: str = "integrator"  #: the label that the markers of the picture tell
+    kind: str = ""  #: of scene, as `solidem advise` calls it
 
     def reference_of(self, point: Point, name: str) -> Point:
         """The point that a point is compared with."""
@@ -257,13 +258,14 @@ def _study(table: dict[str, Any], path: Path) -> Study:
     markers = table.pop("markers", "integrator")
     if markers not in labels:
         raise StudyError(f"{where}: markers = {markers!r}; known: {', '.join(labels)}")
+    kind = table.pop("kind", "")
     study = Study(
         path.stem, path, table.pop("title"), table.pop("about"), table.pop("error"),
         _template(table, path), axes, readings, _moves(table, axes, where),
         _rules(table, labels, where), tuple(table.pop("not_covered", [])),
         _where(table.pop("quick", {}), labels, f"{where}: [quick]"),
         int(table.pop("repetitions")), float(table.pop("timeout")), table.pop("options", {}),
-        references, markers)
+        references, markers, kind)
     if table:
         raise StudyError(f"{where}: unknown key {next(iter(table))!r}")
     if not study.points():

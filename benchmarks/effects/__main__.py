@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What each effect costs: one scene, its effects switched on one by one, for beams and for central forces.
+
+    python3 -m benchmarks.effects [--elements N] [--steps N] [--rounds N]
+
+Time is that of the processor, of a long run less that of a short one, so that reading and writing do
+not count; effects are run in turn, medians over the rounds of the ratio to the base of the same round.
+Memory is what `solidem explain` says of the columns. effects.csv stands in results/effects/.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from benchmarks.effects.scenes import (BEAM_EFFECTS, BEAMS, CENTRAL, CENTRAL_EFFECTS, SPECIMEN, scene)
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("SOLIDEM_PROGRAM", str(ROOT / "build" / "release" / "solidem"))
+BASES = {"beams": (BEAMS, BEAM_EFFECTS), "central forces": (CENTRAL, CENTRAL_EFFECTS)}
+
+
+def processor_seconds(words: list[str], folder: Path) -> float:
+    """Of a command, user and system."""
+    with (folder / "log").open("w") as log:
+        child = subprocess.Popen([PROGRAM, *words], cwd=folder, stdout=log, stderr=subprocess.STDOUT)
+        _, status, used = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+    if child.returncode:
+        raise SystemExit(f"solidem {' '.join(words)}: {(folder / 'log').read_text()}")
+    return used.ru_utime + used.ru_stime
+
+
+def step_seconds(base: str, effect: str, steps: int, folder: Path) -> float:
+    """Processor time of one step."""
+    taken = []
+    for count in (steps // 10, steps):
+        (folder / "scene.toml").write_text(scene(base, effect, count))
+        taken.append(processor_seconds(["run", "scene.toml", "--output", "run", "--overwrite"], folder))
+    return (taken[1] - taken[0]) / (steps - steps // 10)
+
+
+def bytes_of(base: str, effect: str, folder: Path) -> tuple[float, float]:
+    """Bytes an element, all in all; bonds an element."""
+    (folder / "scene.toml").write_text(scene(base, effect, 100))
+    told = json.loads(subprocess.run([PROGRAM, "explain", "scene.toml", "--json", "--quick"], cwd=folder,
+                                     capture_output=True, text=True, check=True).stdout)
+    return told["bytes"] / told["elements"], told["bonds"] / told["elements"]
+
+
+def measured(name: str, steps: int, rounds: int, folder: Path) -> list[dict[str, Any]]:
+    """Rows of one base."""
+    base, effects = BASES[name]
+    times: dict[str, list[float]] = {effect: [] for effect in effects}
+    bases: list[float] = []
+    for number in range(rounds):
+        bases.append(step_seconds(base, "", steps, folder))
+        order = list(effects.items())
+        for effect, text in order if number % 2 else reversed(order):
+            times[effect].append(step_seconds(base, text, steps, folder))
+    own_bytes, _ = bytes_of(base, "", folder)
+    rows = []
+    for effect, text in effects.items():
+        ratios = [time / own for time, own in zip(times[effect], bases)]
+        more, _ = bytes_of(base, text, folder)
+        rows.append({"base": name, "effect": effect, "rounds": rounds,
+                     "base_us_per_step": 1e6 * median(bases),
+                     "us_per_step": 1e6 * median(times[effect]), "time_ratio": median(ratios),
+                     "least_ratio": min(ratios), "most_ratio": max(ratios),
+                     "bytes_per_element": more, "more_bytes_per_element": more - own_bytes})
+    return rows
+
+
+def main() -> int:
+    """Prints a table and writes it."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--elements", type=int, default=4000)
+    parser.add_argument("--steps", type=int, default=1000)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--folder", type=Path, default=ROOT / "results" / "effects")
+    given = parser.parse_args()
+    os.environ["OMP_NUM_THREADS"] = "1"
+    given.folder.mkdir(parents=True, exist_ok=True)
+    (given.folder / "body.toml").write_text(SPECIMEN.replace("$elements", str(given.elements)))
+    processor_seconds(["specimen", "body.toml", "--output", "bar.h5", "--overwrite"], given.folder)
+    rows = []
+    for name in BASES:
+        for row in measured(name, given.steps, given.rounds, given.folder):
+            rows.append(row)
+            print(f"{name}, {row['effect']}: × {row['time_ratio']:.3f} ({row['least_ratio']:.3f} – "
+                  f"{row['most_ratio']:.3f}), {row['more_bytes_per_element']:+.1f} bytes an element",
+                  flush=True)
+    with (given.folder / "effects.csv").open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        table.writeheader()
+        table.writerows({key: f"{value:.6g}" if isinstance(value, float) else value
+                         for key, value in row.items()} for row in rows)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
