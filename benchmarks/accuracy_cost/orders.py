@@ -11,6 +11,7 @@ from typing import Any, Iterable
 
 import numpy as np
 
+LEAST = 0.3  #: of an order: errors that fall more slowly do not fall
 FIELDS = ("kind", "law", "order", "spread", "least_error", "time_exponent", "studies")
 
 
@@ -60,9 +61,11 @@ def order_of(study: str, law: str, points: Iterable[dict[str, str]]) -> Order | 
 
 
 def table(orders: dict[str, list[Order]]) -> list[dict[str, Any]]:
-    """Rows of the studies' table, for each kind of scene and law of conduction: means over studies."""
+    """Rows of the studies' table, for each kind of scene and law of conduction: means over studies whose
+    errors fall."""
     rows = []
-    for kind, of_kind in orders.items():
+    for kind, all_of_kind in orders.items():
+        of_kind = [one for one in all_of_kind if one.order >= LEAST]
         for law in sorted({one.law for one in of_kind}):
             same = [one for one in of_kind if one.law == law]
             local = [value for one in same for value in one.local]

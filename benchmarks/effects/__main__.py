@@ -59,19 +59,20 @@ def measured(name: str, steps: int, rounds: int, folder: Path) -> list[dict[str,
     """Rows of one base."""
     base, effects = BASES[name]
     times: dict[str, list[float]] = {effect: [] for effect in effects}
-    bases: list[float] = []
+    bases: dict[str, list[float]] = {effect: [] for effect in effects}
     for number in range(rounds):
-        bases.append(step_seconds(base, "", steps, folder))
         order = list(effects.items())
         for effect, text in order if number % 2 else reversed(order):
+            before = step_seconds(base, "", steps, folder)
             times[effect].append(step_seconds(base, text, steps, folder))
+            bases[effect].append((before + step_seconds(base, "", steps, folder)) / 2)
     own_bytes, _ = bytes_of(base, "", folder)
     rows = []
     for effect, text in effects.items():
-        ratios = [time / own for time, own in zip(times[effect], bases)]
+        ratios = [time / own for time, own in zip(times[effect], bases[effect])]
         more, _ = bytes_of(base, text, folder)
         rows.append({"base": name, "effect": effect, "rounds": rounds,
-                     "base_us_per_step": 1e6 * median(bases),
+                     "base_us_per_step": 1e6 * median(bases[effect]),
                      "us_per_step": 1e6 * median(times[effect]), "time_ratio": median(ratios),
                      "least_ratio": min(ratios), "most_ratio": max(ratios),
                      "bytes_per_element": more, "more_bytes_per_element": more - own_bytes})

@@ -35,7 +35,8 @@ GROWTH = 2.5  #: from one level to the next
 MOST_LEVELS = 6
 LARGEST = 300_000  #: elements that are proposed at most
 PILOT_SECONDS = 60.0
-PACKINGS = 3
+PACKINGS = 3  #: of each level, or more where they scatter
+SHARE = 0.15  #: of the time, for more packings of one level
 
 
 @dataclass(frozen=True)
@@ -150,10 +151,11 @@ class Adviser:
                 foreseen = min(cost.seconds, cost.processor)
                 left = self.seconds - self.pilots.seconds
                 packings = min(PACKINGS, int(left / foreseen))
-                if packings < 1 and len(levels) > 2:
+                if packings < 1 and len(levels) > (1 if foreseen > 2 * self.seconds else 2):
                     break
             self._rarer_heat(factor)
-            level, made = self.pilots.level(factor, self.choices.changes, max(packings, 1))
+            level, made = self.pilots.level(factor, self.choices.changes, max(packings, 1),
+                                            self.error, SHARE * self.seconds)
             levels.append(level)
             runs.append(made)
             factor *= GROWTH
@@ -290,7 +292,8 @@ class Verdict:
     finer: float  #: of twice the elements and half the step
     differs: float  #: as a share of the scale
     from_limit: float | None  #: of the figure, with all runs together
-    seconds: float  #: of one run of the proposed scene
+    foretold: float  #: s, of one run of the proposed scene
+    seconds: float  #: that it took
     processor: float
     held: bool
 
@@ -319,7 +322,7 @@ def check(advice: Advice, proposal: Proposal, folder: Path) -> Verdict:
         limit = ErrorModel(levels, advice.scale, advice.study).limit[0]
         from_limit = abs(figure - limit) / advice.scale
     cost = mean_cost(runs)
-    return Verdict(figure, better, differs, from_limit, cost.seconds, cost.processor,
+    return Verdict(figure, better, differs, from_limit, proposal.cost.seconds, cost.seconds, cost.processor,
                    differs <= advice.error and (from_limit or 0.0) <= advice.error)
 
 
@@ -408,7 +411,7 @@ def main(words: Sequence[str] | None = None) -> int:
         told = f", {100 * verdict.from_limit:.2g} % from the limit" if verdict.from_limit else ""
         print(f"{'held' if verdict.held else 'NOT held'}: {found.of} = {verdict.figure:.6g}, of a finer "
               f"run {verdict.finer:.6g}: {100 * verdict.differs:.2g} % apart{told}; took "
-              f"{verdict.seconds:.3g} s")
+              f"{verdict.seconds:.3g} s, foretold {verdict.foretold:.3g}")
     return 0 if found.proposal and (verdict is None or verdict.held) else 1
 
 

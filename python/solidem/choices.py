@@ -14,7 +14,8 @@ BUDGET = 0.1  #: share of the error that each choice may take
 STEPS = (0.8, 0.4, 0.2, 0.1, 0.05)  #: of the largest stable one
 STEPS_OF_CONTACT = (0.4, 0.2, 0.1, 0.05, 0.025)
 LAWS = ("voronoi", "platonic-calibrated", "platonic")  #: of conduction, the most exact first
-EVERY = (1000, 300, 100, 30, 10, 3)  #: steps of motion from one of heat to the next
+PAYS = 0.95  #: of the time, or less: then a choice that errs is worth making
+EVERY = (300, 100, 30, 10, 3)  #: steps of motion from one of heat to the next
 GROWTH = 8.0  #: how many times the pilot's elements the integrator of heat is chosen for
 HEAT_STEPS = ("run.time_step", "run.time_step_ratio")
 
@@ -190,7 +191,7 @@ class Chooser:
                 if value is not None or key.split(".")[1] in self.tables.get(key.split(".")[0], {})}
 
     def _every(self, own: Pilot) -> Pilot:
-        """The rarest steps of heat that do not move the figure."""
+        """The steps of heat that take least time of those that do not move the figure."""
         table = self.tables["conduction"]
         if "largest_change" in table:
             self.found.notes.append("[conduction] largest_change: heat chooses its steps already")
@@ -198,16 +199,17 @@ class Chooser:
         each = self._try(**{"conduction.every": 1}) if table.get("every", 1) != 1 else own
         if each is None:
             return own
-        for every in EVERY:
-            rarely = self._try(**{"conduction.every": every})
-            if rarely is None or every * 20 > rarely.steps:
-                continue
-            if self._moves(rarely, each) <= BUDGET * self.error:
-                self._note("steps of heat", f"one in {every} of the motion", "one in each", rarely,
-                           each, "heat is slow beside sound")
-                self.found.changes["conduction.every"] = every
-                self.found.step_error += self._moves(rarely, each)
-                return rarely
+        found = [(run, every) for every in EVERY
+                 if (run := self._try(**{"conduction.every": every})) is not None
+                 and every * 20 <= run.steps
+                 and self._moves(run, each) <= BUDGET * self.error]
+        best, every = min(found, key=lambda pair: pair[0].cost.steps, default=(each, 1))
+        if best.cost.steps < PAYS * each.cost.steps:
+            self._note("steps of heat", f"one in {every} of the motion", "one in each", best, each,
+                       "heat is slow beside sound")
+            self.found.changes["conduction.every"] = every
+            self.found.step_error += self._moves(best, each)
+            return best
         return each
 
     def _step(self, own: Pilot) -> None:

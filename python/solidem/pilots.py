@@ -20,6 +20,10 @@ from .scene import Scene
 USUAL = ("gauge.stress", "sensor.", "grip.", "tool.", "thermal_energy", "kinetic_energy")
 
 
+MOST_PACKINGS = 16
+WELL_KNOWN = 0.15  #: share of the error within which the mean of packings is known
+
+
 @dataclass(frozen=True)
 class Pilot:
     """One run."""
@@ -106,13 +110,23 @@ class Pilots:
         self.seconds += min(found.cost.seconds, found.cost.processor)
         return found
 
-    def level(self, factor: float, choices: Mapping[str, Any],
-              packings: int) -> tuple[Level, list[Pilot]]:
-        """Several packings of one fineness."""
+    def level(self, factor: float, choices: Mapping[str, Any], packings: int, error: float,
+              seconds: float) -> tuple[Level, list[Pilot]]:
+        """Packings of one fineness: so many, and more as long as their mean is not known well beside
+        the error and they take no longer than this."""
         runs = [self.run(factor, choices, packing) for packing in range(packings)]
+        while (1 < len(runs) < MOST_PACKINGS and _badly_known(runs, error)
+               and sum(min(run.cost.seconds, run.cost.processor) for run in runs) < seconds):
+            runs.append(self.run(factor, choices, len(runs)))
         elements = float(np.mean([run.elements for run in runs]))
         return Level(elements, elements**(-1 / 3), np.array([run.figure for run in runs]),
                      float(np.mean([run.cost.seconds for run in runs]))), runs
+
+
+def _badly_known(runs: list[Pilot], error: float) -> bool:
+    figures = np.array([run.figure for run in runs])
+    scale = float(np.mean([run.scale for run in runs]))
+    return bool(figures.std(ddof=1) / np.sqrt(len(runs)) > WELL_KNOWN * error * scale)
 
 
 def mean_cost(runs: list[Pilot]) -> Cost:

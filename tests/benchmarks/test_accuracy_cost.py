@@ -7,10 +7,13 @@ import csv
 import math
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from benchmarks.accuracy_cost.front_page import measured, orders
+from benchmarks.accuracy_cost.orders import order_of, table
 from benchmarks.accuracy_cost.page import write_page
 from benchmarks.accuracy_cost.results import Median, cheapest, front, gains, medians
 from benchmarks.accuracy_cost.runs import Omission, Run
@@ -354,3 +357,27 @@ def test_a_bar_against_its_finest_step_and_a_larger_body(bar_file: Path, tmp_pat
     assert first == [0.0]
     assert (output / "bar_2.png").stat().st_size > 1000
     assert "bar_2.png" in (output / "page.md").read_text()
+
+
+def test_orders_are_those_of_the_errors() -> None:
+    """Errors that fall as the size to the power 1.5, times as elements to the power 4/3; other codes and
+    worse ways do not count."""
+    points = []
+    for elements in (200, 1600, 12800):
+        right = {"code": "standalone", "elements": str(elements), "error": str(elements**-0.5),
+                 "seconds": str(elements**(4 / 3))}
+        points += [right, {**right, "error": "1", "seconds": "0.1"}, {**right, "code": "yade",
+                                                                     "error": "0"}]
+    found = order_of("bars", "", points)
+    assert found is not None
+    assert found.order == pytest.approx(1.5) and found.local == pytest.approx([1.5, 1.5])
+    assert found.time_exponent == pytest.approx(4 / 3)
+    assert order_of("bars", "", points[:6]) is None
+    (row,) = table({"elastic": [found, replace(found, study="flat", order=0.1)]})
+    assert row["studies"] == "bars" and float(row["order"]) == 1.5
+
+
+def test_the_table_of_studies_is_that_of_the_tables_in_docs() -> None:
+    """Whoever changes a points.csv makes the front page anew."""
+    with (ROOT / "python" / "solidem" / "studies.csv").open(encoding="utf-8") as file:
+        assert list(csv.DictReader(file)) == table(orders(measured()))

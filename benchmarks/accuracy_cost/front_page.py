@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The front page of accuracy and cost, from the tables of the studies:
+
+    python3 -m benchmarks.accuracy_cost.front_page
+
+reads every points.csv below docs/accuracy_cost/, effects.csv and advice.csv beside it, and writes
+docs/accuracy_cost.md, a picture for each kind of problem, and the table of orders that `solidem advise`
+reads (python/solidem/studies.csv). Every figure on the page is computed here.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import sys
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+from benchmarks.accuracy_cost.front_plot import draw_kind
+from benchmarks.accuracy_cost.orders import (LEAST, Order, order_of, points_of, table,
+                                             write_table)
+from benchmarks.accuracy_cost.page import percent, seconds
+from benchmarks.accuracy_cost.results import Gain, Median, cheapest, front, gains
+from benchmarks.accuracy_cost.study import Study, read_study
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs" / "accuracy_cost"
+STUDIES = Path(__file__).with_name("studies")
+LEVELS = (0.05, 0.01, 0.001)
+#: Columns of points.csv that are no labels of a point.
+MEASURED = {"study", "reading", "runs", "error", "least_error", "most_error", "seconds",
+            "least_seconds", "most_seconds", "set_up_seconds", "packing_seconds", "on_front",
+            "on_whole_front"}
+KINDS = {
+    "heat": ("Heat", "against exact solutions"),
+    "elastic": ("Elastic bodies", "against bodies that are much finer"),
+    "plastic": ("Plastic flow and rupture", "against bodies that are much finer"),
+    "contact": ("Contact", "against bodies that are much finer"),
+    "coupled": ("Heat and motion", "against bodies that are much finer"),
+    "central forces": ("Central forces", "of the time step and of the speed of pulling: the same body "
+                       "pulled slowly, in fine steps"),
+}
+
+
+def median_of(row: dict[str, str]) -> Median:
+    """A row of points.csv."""
+    labels = {key: value for key, value in row.items() if key not in MEASURED and value}
+    set_up = row.get("set_up_seconds")
+    return Median(row["study"], row["reading"], labels, int(row["runs"]), int(row["elements"]),
+                  float(row["error"]), float(row["least_error"]), float(row["most_error"]),
+                  float(row["seconds"]), float(row["least_seconds"]), float(row["most_seconds"]),
+                  float(set_up) if set_up else None, float(row["packing_seconds"]))
+
+
+def measured() -> dict[str, list[tuple[Study, list[Median]]]]:
+    """Kind -> its studies, each with the points of its first reading."""
+    rows: dict[str, list[dict[str, str]]] = defaultdict(list)
+    for path in sorted(DOCS.rglob("points.csv")):
+        for row in points_of(path):
+            rows[row["study"]].append(row)
+    found: dict[str, list[tuple[Study, list[Median]]]] = {kind: [] for kind in KINDS}
+    for path in sorted(STUDIES.glob("*.toml")):
+        study = read_study(path)
+        points = [median_of(row) for row in rows.get(study.name, [])
+                  if row["reading"] == study.readings[0].name]
+        if points and study.kind in found:
+            found[study.kind].append((study, points))
+    return {kind: studies for kind, studies in found.items() if studies}
+
+
+def own(points: list[Median]) -> list[Median]:
+    """Those of the standalone program."""
+    return [m for m in points if m.labels.get("code", "standalone") == "standalone"]
+
+
+def way(study: Study, m: Median) -> str:
+    """How a point is computed."""
+    rule = {"code": "standalone", "instructions": "best", "precision": "double"}
+    words = [f"{value} elements" if key == "elements" else value for key, value in m.labels.items()
+             if key in study.axes and rule.get(key) != value]
+    return ", ".join(words)
+
+
+def costs(studies: list[tuple[Study, list[Median]]]) -> list[str]:
+    """To get … take … it costs …"""
+    lines = ["| | to get | take | which errs by | set-up and steps |", "|---|---|---|---|---|"]
+    for study, points in studies:
+        for level in LEVELS:
+            best = cheapest(own(points), level)
+            if best is None:
+                nearest = min(own(points), key=lambda m: m.error)
+                lines.append(f"| {study.title} | {percent(level)} | out of reach of what was run; "
+                             f"nearest: {way(study, nearest)} | {percent(nearest.error)} | "
+                             f"{seconds(nearest.whole_seconds)} |")
+            else:
+                lines.append(f"| {study.title} | {percent(level)} | {way(study, best)} | "
+                             f"{percent(best.error)} | {seconds(best.whole_seconds)} |")
+    return lines
+
+
+def factor(value: float) -> str:
+    """Two digits."""
+    return f"× {float(f'{value:.2g}'):g}"
+
+
+def knobs(studies: list[tuple[Study, list[Median]]]) -> list[str]:
+    """Which is cheapest, and which do not help."""
+    lines = []
+    for study, points in studies:
+        found: list[Gain] = gains(study, own(points))
+        helpful = [gain for gain in found if math.isfinite(gain.price)]
+        idle = [gain for gain in found if not math.isfinite(gain.price)
+                and gain.whole_factor > 1.05]
+        words = []
+        if helpful:
+            best = helpful[0]
+            words.append(f"cheapest for less error: {best.words} (error {factor(best.error_factor)}, "
+                         f"time {factor(best.whole_factor)})")
+            if len(helpful) > 1:
+                last = helpful[-1]
+                words.append(f"dearest: {last.words} (error {factor(last.error_factor)}, time "
+                             f"{factor(last.whole_factor)})")
+        faster = [gain for gain in found if gain.error_factor < 1.1 and gain.whole_factor < 0.9]
+        if faster:
+            most = min(faster, key=lambda gain: gain.whole_factor)
+            words.append(f"for less time: {most.words} (time {factor(most.whole_factor)})")
+        if idle:
+            words.append("no help: " + ", ".join(dict.fromkeys(gain.words for gain in idle)))
+        lines.append(f"- {study.title}: {'; '.join(words) or 'one setting of each knob was run'}.")
+    return lines
+
+
+def limits(studies: list[tuple[Study, list[Median]]]) -> list[str]:
+    """Where effort stops to help: the front's last step that pays, and laws that stay off."""
+    lines = []
+    for study, points in studies:
+        ours = own(points)
+        flags = front([(m.whole_seconds, m.error) for m in ours])
+        line = sorted((m for m, on in zip(ours, flags) if on), key=lambda m: m.whole_seconds)
+        stop = next((before for before, after in zip(line, line[1:])
+                     if after.error > before.error / 2
+                     and after.whole_seconds > 4 * before.whole_seconds), line[-1])
+        words = [f"the best that was reached is {percent(line[-1].error)} in "
+                 f"{seconds(line[-1].whole_seconds)} ({way(study, line[-1])})"]
+        if stop is not line[-1]:
+            words.append(f"beyond {percent(stop.error)} in {seconds(stop.whole_seconds)} four times the "
+                         "time no longer halve the error")
+        laws = {m.labels["law"] for m in ours}
+        if len(laws) > 1:
+            floors = {law: min(m.error for m in ours if m.labels["law"] == law) for law in laws}
+            off = {law: least for law, least in sorted(floors.items(), key=lambda pair: pair[1])
+                   if least > 0.005}
+            if off:
+                words.append("at any fineness that was run these err by more: " + ", ".join(
+                    f"{law} {percent(least)}" for law, least in off.items()))
+        lines.append(f"- {study.title}: {'; '.join(words)}.")
+    return lines
+
+
+def csv_rows(path: Path) -> list[dict[str, str]]:
+    """Empty where there is none."""
+    if not path.exists():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def effects() -> list[str]:
+    """What each effect costs."""
+    rows = csv_rows(DOCS / "effects.csv")
+    if not rows:
+        return []
+    lines = ["## What each effect costs", "",
+             "One scene, effects switched on one by one: time of a step over that without it (medians, and "
+             "the range, of runs in turn; processor time), bytes an element. *off again* is the same "
+             "scene once more: how far such figures can be trusted on the machine that they were measured "
+             "on. What a scene does not name has no column and no loop: 0 bytes ([effects.csv]"
+             "(accuracy_cost/effects.csv)). `solidem explain` tells columns and cost of your scene on "
+             "your machine.", "",
+             "| | effect | time of a step | from – to | bytes an element |", "|---|---|---|---|---|"]
+    for row in rows:
+        lines.append(f"| {row['base']} | {row['effect']} | {factor(float(row['time_ratio']))} | "
+                     f"{factor(float(row['least_ratio']))} – {factor(float(row['most_ratio']))} | "
+                     f"{float(row['more_bytes_per_element']):+.0f} |")
+    return [*lines, ""]
+
+
+def advice() -> list[str]:
+    """How advice keeps its word."""
+    rows = csv_rows(DOCS / "advice.csv")
+    if not rows:
+        return []
+    kept = sum(row["kept"] == "True" for row in rows)
+    near = sum(1 / 1.5 <= float(row["time_ratio"]) <= 1.5 for row in rows)
+    beyond = sum(row["reachable"] != "True" for row in rows)
+    lines = ["## Whether advice keeps its word", "",
+             "`solidem advise` ([command_line.md](command_line.md#how-fine-a-scene-has-to-be)) on scenes "
+             "that no study contains: what was asked for, what it promised, and the error against bodies of "
+             f"twice the elements and more. {kept} of {len(rows)} promises were kept; the time was within "
+             f"a factor 1.5 of the forecast in {near} (processor time). In {beyond} no body that was "
+             "allowed kept what was asked; there the promise is that of the largest "
+             "([advice.csv](accuracy_cost/advice.csv)).", "",
+             "| scene | asked | promised | elements | error | reference | forecast | taken |",
+             "|---|---|---|---|---|---|---|---|"]
+    for row in rows:
+        promise = percent(float(row["promised"])) + ("" if row["reachable"] == "True" else ", all it can")
+        lines.append(f"| {row['scene']} | {percent(float(row['asked']))} | {promise} | {row['elements']} | "
+                     f"{percent(float(row['error']))}{'' if row['kept'] == 'True' else ', broken'} | "
+                     f"{row['reference_packings']} × {row['reference_elements']} elements | "
+                     f"{seconds(float(row['foretold_seconds']))} | "
+                     f"{seconds(float(row['taken_seconds']))} |")
+    return [*lines, ""]
+
+
+def orders(kinds: dict[str, list[tuple[Study, list[Median]]]]) -> dict[str, list[Order]]:
+    """Of each kind; of heat for each law."""
+    found: dict[str, list[Order]] = {}
+    for kind, studies in kinds.items():
+        if kind == "central forces":
+            continue  # its errors are those of steps and speeds, not of fineness
+        for study, points in studies:
+            laws = {m.labels["law"] for m in points} if kind == "heat" else {""}
+            for law in sorted(laws):
+                rows = [{"code": m.labels.get("code", "standalone"), "elements": str(m.elements),
+                         "error": str(m.error), "seconds": str(m.whole_seconds)}
+                        for m in points if law in ("", m.labels["law"])]
+                if (one := order_of(study.name, law, rows)) is not None:
+                    found.setdefault(kind, []).append(one)
+    return found
+
+
+def pages() -> list[str]:
+    """Links to what stands behind."""
+    return [f"[{path.relative_to(DOCS)}](accuracy_cost/{path.relative_to(DOCS)})"
+            for path in sorted(DOCS.rglob("page.md"))]
+
+
+def text_of(kinds: dict[str, list[tuple[Study, list[Median]]]], rows: list[dict[str, Any]]) -> str:
+    """The page."""
+    lines = ["# What accuracy costs", "",
+             "What error a simulation has, for how much time: of each kind of problem a picture, what 5 %, "
+             "1 % and .1 % cost, which knob is cheapest, and where effort stops helping. Each point is the "
+             "median of real runs on one core. For a scene of your own ask `solidem advise` "
+             "([command_line.md](command_line.md#how-fine-a-scene-has-to-be)). Made by `python3 -m "
+             "benchmarks.accuracy_cost.front_page` from the tables beside the pages behind: "
+             + ", ".join(pages()) + ".", ""]
+    for kind, studies in kinds.items():
+        title, against = KINDS[kind]
+        picture = f"front_{kind.replace(' ', '_')}.png"
+        about = " ".join(f"*{study.title}*: {study.about} Error: {study.error}." for study, _ in studies)
+        lines += [f"## {title}", "", f"Errors {against}. {about}", "",
+                  f"![error over time, {kind}](accuracy_cost/{picture})", "", *costs(studies), "",
+                  "Knobs:", "", *knobs(studies), "", "Where effort stops:", "", *limits(studies), ""]
+    lines += ["## At which order errors fall", "",
+              "Over the size of elements, by the least error of each number of elements; `solidem advise` "
+              "takes these as what it knows of a kind of scene before its own runs.", "",
+              "| kind | law of conduction | order | spread | least error | time, as elements to the power | "
+              "studies |", "|---|---|---|---|---|---|---|"]
+    lines += [f"| {row['kind']} | {row['law'] or '–'} | {row['order']} | {row['spread']} | "
+              f"{percent(float(row['least_error']))} | {row['time_exponent']} | {row['studies']} |"
+              for row in rows]
+    flat = [one for of_kind in orders(kinds).values() for one in of_kind if one.order < LEAST]
+    if flat:
+        lines += ["", "Not in the table, for their errors do not fall with finer bodies: " + ", ".join(
+            f"{one.study} ({percent(one.least_error)} at best)" for one in flat) + "."]
+    return "\n".join([*lines, "", *advice(), *effects()]).rstrip() + "\n"
+
+
+def main() -> int:
+    """2: there are no tables."""
+    kinds = measured()
+    if not kinds:
+        print(f"error: no points.csv below {DOCS}; python3 -m benchmarks.accuracy_cost makes it",
+              file=sys.stderr)
+        return 2
+    for kind, studies in kinds.items():
+        draw_kind([(study.title, own(points)) for study, points in studies], KINDS[kind][0],
+                  DOCS / f"front_{kind.replace(' ', '_')}.png")
+    rows = table(orders(kinds))
+    write_table(rows, ROOT / "python" / "solidem" / "studies.csv")
+    (ROOT / "docs" / "accuracy_cost.md").write_text(text_of(kinds, rows), encoding="utf-8")
+    print(ROOT / "docs" / "accuracy_cost.md")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
