@@ -18,8 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.accuracy_cost.front_plot import draw_kind
-from benchmarks.accuracy_cost.orders import (LEAST, Order, order_of, points_of, table,
-                                             write_table)
+from benchmarks.accuracy_cost.orders import Order, order_of, points_of, table, write_table
 from benchmarks.accuracy_cost.page import percent, seconds
 from benchmarks.accuracy_cost.results import Gain, Median, cheapest, front, gains
 from benchmarks.accuracy_cost.study import Study, read_study
@@ -220,12 +219,15 @@ def orders(kinds: dict[str, list[tuple[Study, list[Median]]]]) -> dict[str, list
         if kind == "central forces":
             continue  # its errors are those of steps and speeds, not of fineness
         for study, points in studies:
+            compared = study.references.get(study.readings[0].reference)
+            finer = compared.labels.get("elements") if compared else None
+            reference = float(finer) if finer else math.inf
             laws = {m.labels["law"] for m in points} if kind == "heat" else {""}
             for law in sorted(laws):
                 rows = [{"code": m.labels.get("code", "standalone"), "elements": str(m.elements),
                          "error": str(m.error), "seconds": str(m.whole_seconds)}
                         for m in points if law in ("", m.labels["law"])]
-                if (one := order_of(study.name, law, rows)) is not None:
+                if (one := order_of(study.name, law, rows, reference)) is not None:
                     found.setdefault(kind, []).append(one)
     return found
 
@@ -260,10 +262,6 @@ def text_of(kinds: dict[str, list[tuple[Study, list[Median]]]], rows: list[dict[
     lines += [f"| {row['kind']} | {row['law'] or '–'} | {row['order']} | {row['spread']} | "
               f"{percent(float(row['least_error']))} | {row['time_exponent']} | {row['studies']} |"
               for row in rows]
-    flat = [one for of_kind in orders(kinds).values() for one in of_kind if one.order < LEAST]
-    if flat:
-        lines += ["", "Not in the table, for their errors do not fall with finer bodies: " + ", ".join(
-            f"{one.study} ({percent(one.least_error)} at best)" for one in flat) + "."]
     return "\n".join([*lines, "", *advice(), *effects()]).rstrip() + "\n"
 
 

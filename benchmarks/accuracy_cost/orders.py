@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import math
 from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import Any, Iterable
 
 import numpy as np
 
-LEAST = 0.3  #: of an order: errors that fall more slowly do not fall
+ORDERS = np.arange(0.1, 3.001, 0.02)  #: that are weighed
 FIELDS = ("kind", "law", "order", "spread", "least_error", "time_exponent", "studies")
 
 
@@ -21,8 +22,8 @@ class Order:
 
     study: str
     law: str
-    order: float  #: of the error over the size of elements, over all points
-    local: list[float]  #: between neighbouring points
+    order: float  #: of the error over the size of elements: mean of what its points leave likely
+    spread: float  #: standard deviation of that
     least_error: float
     time_exponent: float  #: of the time over the elements
 
@@ -46,32 +47,41 @@ def best_by_elements(points: Iterable[dict[str, str]]) -> list[tuple[float, floa
     return found
 
 
-def order_of(study: str, law: str, points: Iterable[dict[str, str]]) -> Order | None:
-    """None: fewer than three sizes."""
-    best = best_by_elements(points)
+def order_of(study: str, law: str, points: Iterable[dict[str, str]],
+             reference: float = math.inf) -> Order | None:
+    """None: fewer than three sizes. `reference`: elements of the body that errors are read against,
+    which errs itself: then they are C (h^p - h_reference^p)."""
+    best = [row for row in best_by_elements(points) if row[0] < reference]
     if len(best) < 3:
         return None
-    sizes = np.log([elements**(-1 / 3) for elements, _, _ in best])
+    sizes = np.array([elements for elements, _, _ in best])**(-1 / 3)
     errors = np.log([max(error, 1e-12) for _, error, _ in best])
     times = np.log([seconds for _, _, seconds in best])
-    order, _ = np.polyfit(sizes, errors, 1)
-    exponent, _ = np.polyfit(-3 * sizes, times, 1)
-    return Order(study, law, float(order), (np.diff(errors) / np.diff(sizes)).tolist(),
-                 float(np.exp(errors.min())), float(exponent))
+    missed = []
+    for order in ORDERS:
+        apart = errors - np.log(sizes**order - reference**(-order / 3))
+        missed.append(float(((apart - apart.mean())**2).sum()))
+    # Of an unknown deviation, which is integrated over: as in Student's distribution.
+    weights = (np.array(missed) + 1e-6)**(-(len(best) - 1) / 2)
+    weights /= weights.sum()
+    order = float((weights * ORDERS).sum())
+    spread = float(np.sqrt((weights * (ORDERS - order)**2).sum()))
+    exponent, _ = np.polyfit(-3 * np.log(sizes), times, 1)
+    return Order(study, law, order, spread, float(np.exp(errors.min())), float(exponent))
 
 
 def table(orders: dict[str, list[Order]]) -> list[dict[str, Any]]:
-    """Rows of the studies' table, for each kind of scene and law of conduction: means over studies whose
-    errors fall."""
+    """Rows of the studies' table, for each kind of scene and law of conduction: means over studies, spread
+    within them and from one to the next."""
     rows = []
-    for kind, all_of_kind in orders.items():
-        of_kind = [one for one in all_of_kind if one.order >= LEAST]
+    for kind, of_kind in orders.items():
         for law in sorted({one.law for one in of_kind}):
             same = [one for one in of_kind if one.law == law]
-            local = [value for one in same for value in one.local]
+            found = np.array([one.order for one in same])
+            within = np.mean([one.spread**2 for one in same])
             rows.append({
-                "kind": kind, "law": law, "order": f"{np.mean([one.order for one in same]):.3g}",
-                "spread": f"{np.std(local) / np.sqrt(len(local)) + np.std([o.order for o in same]):.2g}",
+                "kind": kind, "law": law, "order": f"{found.mean():.3g}",
+                "spread": f"{np.sqrt(within + found.var()):.2g}",
                 "least_error": f"{min(one.least_error for one in same):.2g}",
                 "time_exponent": f"{np.mean([one.time_exponent for one in same]):.3g}",
                 "studies": " and ".join(dict.fromkeys(one.study for one in same))})

@@ -69,11 +69,14 @@ def _worth(advice: Advice) -> list[str]:
 def _proposal(advice: Advice, proposal: Proposal) -> list[str]:
     errors = proposal.errors
     count = f"the mean of {proposal.packings} packings of " if proposal.packings > 1 else ""
+    of_bodies = [f"    of fineness  {per_cent(errors.bias)}, below {per_cent(errors.bias_upper)} (95 %)",
+                 f"    of packings  {per_cent(errors.scatter)}, one standard deviation"]
+    if advice.model is None:
+        of_bodies = ["    of fineness  not known", "    of packings  not known"]
     lines = [f"  {count}{proposal.elements} elements",
              f"  error       {per_cent(errors.expected)} expected, below {per_cent(errors.promised)} "
              "with a probability of 95 %",
-             f"    of fineness  {per_cent(errors.bias)}, below {per_cent(errors.bias_upper)} (95 %)",
-             f"    of packings  {per_cent(errors.scatter)}, one standard deviation",
+             *of_bodies,
              f"    of steps     {per_cent(advice.choices.step_error)}",
              f"  time        {seconds(proposal.packings * proposal.cost.seconds)} "
              f"({seconds(proposal.packings * proposal.cost.processor)} of the processor), of which "

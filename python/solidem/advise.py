@@ -224,10 +224,14 @@ class Adviser:
         left += [str(table.get("name")) for table in self.tables.get("temperatures", [])
                  if "layers" in table.get("region", {})
                  and f"temperatures.{table.get('name')}.wall" not in self.choices.changes]
-        if "beams" in self.tables or "central_forces" in self.tables:
+        if "beams" in self.tables and self.refinement.bodies:
             self.choices.notes.append(
-                "moduli of beams, or stiffnesses, hold for bodies of one fineness: solidem calibrate finds "
-                "them for what is proposed, and takes away what of the error of fineness is stiffness")
+                "moduli of beams hold for bodies of one fineness: solidem calibrate finds them for what "
+                "is proposed, and takes away what of the error of fineness is stiffness")
+        for section, key in (("contact", "normal_stiffness"), ("contact_conduction", "conductance")):
+            if key in self.tables.get(section, {}) and self.refinement.bodies:
+                self.choices.notes.append(f"[{section}] {key} is that of one contact: finer bodies have "
+                                          "more of them, and are stiffer or conduct better by it")
         if self.refinement.bodies and left:
             self.choices.notes.append(
                 f"regions of so many layers ({', '.join(left)}) get thinner as bodies get finer, which "

@@ -233,12 +233,12 @@ class Chooser:
             moved = self._moves(long, short) * 4 / 3  # of the second order
             last = self._moves(tried[-3][2], long) * 4 / 3 if len(tried) > 2 else 2 * moved
             if moved <= BUDGET * self.error or moved > 0.7 * last:
-                if moved > BUDGET * self.error:
+                if moved <= BUDGET * self.error or not self.pilots.refinement.bodies:
+                    self.found.step_error += moved
+                else:
                     self.found.notes.append(
                         f"shorter steps go on moving the figure by {100 * moved:.2g} %: as another "
                         "packing does, so it counts as scatter")
-                else:
-                    self.found.step_error += moved
                 break
         else:
             if len(tried) < 2:

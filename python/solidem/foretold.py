@@ -46,7 +46,7 @@ def prior(study: Study | None) -> Floats:
         low, high = UNKNOWN_ORDERS
         return ((ORDERS >= low - 1e-9) & (ORDERS <= high + 1e-9)).astype(float)
     density: Floats = np.exp(-0.5 * ((ORDERS - study.order) / study.spread)**2) * (
-        ORDERS >= UNKNOWN_ORDERS[0] - 1e-9)
+        (ORDERS >= UNKNOWN_ORDERS[0] - 1e-9) & (ORDERS <= UNKNOWN_ORDERS[1] + 1e-9))
     return density
 
 

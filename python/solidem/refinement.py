@@ -58,7 +58,11 @@ def _entries(tables: Mapping[str, Any]) -> list[tuple[str, Mapping[str, Any]]]:
 
 
 def refinement_of(tables: Mapping[str, Any]) -> Refinement:
-    """Bodies of one element stay what they are, as do lattices and packings from files."""
+    """Bodies of one element stay what they are, as do lattices, packings from files, and bodies under
+    central forces, whose constants make another material of finer elements."""
+    if "central_forces" in tables:
+        return Refinement([], "[central_forces]: stiffness and attraction are those of one fineness, "
+                          "and of finer elements they make another material", {})
     bodies, seeds, kept = [], {}, []
     for place, table in _entries(tables):
         if "file" in table:

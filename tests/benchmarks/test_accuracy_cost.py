@@ -359,22 +359,32 @@ def test_a_bar_against_its_finest_step_and_a_larger_body(bar_file: Path, tmp_pat
     assert "bar_2.png" in (output / "page.md").read_text()
 
 
-def test_orders_are_those_of_the_errors() -> None:
-    """Errors that fall as the size to the power 1.5, times as elements to the power 4/3; other codes and
-    worse ways do not count."""
+def points_of_order(order: float, reference: float) -> list[dict[str, str]]:
+    """Errors that fall as the size to that power, against a body that errs itself; times as elements to the
+    power 4/3; other codes and worse ways do not count."""
     points = []
-    for elements in (200, 1600, 12800):
-        right = {"code": "standalone", "elements": str(elements), "error": str(elements**-0.5),
+    for elements in (200, 600, 1800, 5400):
+        error = elements**(-order / 3) - reference**(-order / 3)
+        right = {"code": "standalone", "elements": str(elements), "error": str(error),
                  "seconds": str(elements**(4 / 3))}
         points += [right, {**right, "error": "1", "seconds": "0.1"}, {**right, "code": "yade",
                                                                      "error": "0"}]
-    found = order_of("bars", "", points)
+    return points
+
+
+@pytest.mark.parametrize("reference", [math.inf, 12000.0])
+@pytest.mark.parametrize("order", [1.0, 1.5])
+def test_orders_are_those_of_the_errors(order: float, reference: float) -> None:
+    points = points_of_order(order, reference)
+    found = order_of("bars", "", points, reference)
     assert found is not None
-    assert found.order == pytest.approx(1.5) and found.local == pytest.approx([1.5, 1.5])
+    assert found.order == pytest.approx(order, abs=0.02) and found.spread < 0.1
     assert found.time_exponent == pytest.approx(4 / 3)
     assert order_of("bars", "", points[:6]) is None
-    (row,) = table({"elastic": [found, replace(found, study="flat", order=0.1)]})
-    assert row["studies"] == "bars" and float(row["order"]) == 1.5
+    (row,) = table({"elastic": [found, replace(found, study="rods", order=order + 0.5)]})
+    assert row["studies"] == "bars and rods"
+    assert float(row["order"]) == pytest.approx(order + 0.25, abs=0.02)
+    assert float(row["spread"]) >= 0.25
 
 
 def test_the_table_of_studies_is_that_of_the_tables_in_docs() -> None:

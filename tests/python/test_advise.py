@@ -173,6 +173,7 @@ def test_bodies_get_finer_together() -> None:
     assert made.changes(1, 2)["body.ball.seed"] == 202
     with pytest.raises(InputError, match="body.grain.*stay coarse while other bodies get finer"):
         refinement_of({"body": [*bodies["body"], {"name": "grain", "file": "grain.csv"}]})
+    assert "another material" in refinement_of({**bodies, "central_forces": {}}).why_not
     lattice = refinement_of({"specimen": {"shape": "crystal"}})
     assert not lattice.bodies and "a lattice" in lattice.why_not
 
