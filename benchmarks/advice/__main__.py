@@ -114,6 +114,15 @@ def told(row: Row) -> str:
             f"{row.foretold_seconds:.2g} s, took {row.taken_seconds:.2g} s (× {row.time_ratio:.2f})")
 
 
+def write(rows: list[Row], path: Path) -> None:
+    """A CSV."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, [field.name for field in fields(Row)], lineterminator="\n")
+        table.writeheader()
+        table.writerows({key: f"{value:.4g}" if isinstance(value, float) else value
+                         for key, value in asdict(row).items()} for row in rows)
+
+
 def main() -> int:
     """1: a promise was broken."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -132,11 +141,7 @@ def main() -> int:
         for row in trial.rows(given.errors):
             rows.append(row)
             print(told(row), flush=True)
-    given.folder.mkdir(parents=True, exist_ok=True)
-    with (given.folder / "advice.csv").open("w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, [field.name for field in fields(Row)], lineterminator="\n")
-        table.writeheader()
-        table.writerows(asdict(row) for row in rows)
+        write(rows, given.folder / "advice.csv")
     kept = sum(row.kept for row in rows)
     near = sum(1 / 1.5 <= row.time_ratio <= 1.5 for row in rows)
     print(f"{kept} of {len(rows)} promises kept; time within a factor 1.5 in {near}")
