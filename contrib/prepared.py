@@ -231,6 +231,7 @@ class Conduction:
     specific_heat_capacity: float = float("nan")  #: c_p, J/(kg K)
     law: str = "platonic"  #: or "platonic-calibrated", "voronoi"
     area_factor: float = 1.0  #: of platonic-calibrated
+    every: int = 1  #: steps of the motion from one step of heat to the next
 
     def conductance(self, specimen: Specimen) -> Floats:
         """(C,) conductance of each pair, W/K, in one material."""
@@ -471,12 +472,14 @@ def _conduction(law: dict[str, Any], unsupported: list[str]) -> Conduction:
 
     if law.get("integrator", "explicit") != "explicit":
         unsupported.append(f"integrator {law['integrator']!r}; only 'explicit' is understood")
-    if law.get("every", 1) != 1 or law.get("largest_change") is not None:
-        unsupported.append("heat that waits for several steps of the motion is not understood")
+    if law.get("largest_change") is not None:
+        unsupported.append("largest_change: heat that chooses for itself how many steps of the motion "
+                           "it waits is not understood; give every")
     return Conduction(
         number("conductivity"), number("initial_temperature"),
         number("specific_heat_capacity") if "specific_heat_capacity" in law else float("nan"),
-        law.get("law", "platonic"), float(law.get("area_factor") or 1.0))
+        law.get("law", "platonic"), float(law.get("area_factor") or 1.0),
+        int(law.get("every") or 1))
 
 
 def _over_temperature(value: Any, name: str, unsupported: list[str]) -> OverTemperature | None:

@@ -380,7 +380,8 @@ def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, 
         write_cells(directory / "cells.txt", specimen)
     lines = (f"fix heat all solidem/conduction {words} conductivity {full(law.conductivity)} "
              f"specific_heat {full(law.specific_heat_capacity)} density {full(_density(explained))} "
-             f"initial_temperature {full(law.initial_temperature)}\n")
+             f"initial_temperature {full(law.initial_temperature)}"
+             + (f" every {law.every}\n" if law.every > 1 else "\n"))
     for number, (name, value) in enumerate(parameters.temperatures.items()):
         lines += group_lines(f"temperature{number}", specimen.sets[f"temperature.{name}"])
         lines += f"fix temperature{number} temperature{number} solidem/temperature {full(value)}\n"

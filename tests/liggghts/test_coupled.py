@@ -251,7 +251,7 @@ def test_words_of_heat_survive_a_data_file(liggghts: Liggghts, tmp_path: Path) -
     (("rate_time = \"1 us\"\n", ""), "depends on the rate of flow needs rate_time"),
     (("[plastic_heat]", "[contact]\nyoung_modulus = \"5 GPa\"\n[friction_heat]\n[plastic_heat]"),
      "[friction_heat] is not understood"),
-    (("[conduction]", "[conduction]\nevery = 5"), "waits for several steps of the motion"),
+    (("[conduction]", "[conduction]\nlargest_change = \"1 K\""), "largest_change: heat that chooses"),
     (("seed = 3\n", "seed = 3\n[rupture]\nstrain = 0.1\n"), "bonds that break cannot conduct heat"),
 ])
 def test_coupled_scenes_that_are_not_taken_are_told(

@@ -81,7 +81,8 @@ def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str)
     ("centrifugal_load", {}, r"\[centrifugal_load\] is not understood"),
     ("friction_heat", {}, r"\[friction_heat\] is not understood"),
     ("contact_conduction", {}, r"\[contact_conduction\] is not understood"),
-    ("conduction", {"conduction": {"every": 5}}, "waits for several steps of the motion"),
+    ("conduction", {"conduction": {"conductivity": 1.0, "initial_temperature": 300.0,
+                                   "largest_change": 1.0}}, "largest_change: heat that chooses"),
     ("damping", {"damping": {"viscous": 100.0}}, "viscous damping is not understood"),
 ])
 def test_effects_of_which_no_other_code_is_told(bar: Bar, section: str, laws: dict[str, Any],

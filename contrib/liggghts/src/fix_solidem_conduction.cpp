@@ -18,6 +18,7 @@
 
 #include "atom.h"
 #include "atom_vec.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_property_atom.h"
@@ -29,6 +30,7 @@
 #include "neighbor.h"
 #include "solidem_cells.h"
 #include "solidem_reach.h"
+#include "solidem_restart.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -46,7 +48,11 @@ FixSolidemConduction::FixSolidemConduction(LAMMPS* liggghts, int narg, char** ar
       bond_value(NULL),
       values(NULL),
       step_of_capacities(-1.0),
+      checked_step(-1.0),
       leads_(false),
+      every_(1),
+      waited_(0),
+      waited_time_(0.0),
       temperature(NULL),
       heat_flux(NULL),
       heat_source(NULL),
@@ -61,6 +67,7 @@ FixSolidemConduction::FixSolidemConduction(LAMMPS* liggghts, int narg, char** ar
   scalar_flag = 1;
   global_freq = 1;
   extscalar = 1;
+  restart_global = 1;
   restart_peratom = 1;
   values = new SolidemBondValues(liggghts, bond_value, law == "voronoi" ? 2 : 1);
   grow_arrays(atom->nmax);
@@ -93,6 +100,15 @@ void FixSolidemConduction::read_arguments(int narg, char** arg) {
       file = arg[iarg + 1];
       continue;
     }
+    if (key == "every") {
+      every_ = force->inumeric(FLERR, arg[iarg + 1]);
+      if (every_ < 1)
+        error->fix_error(
+            FLERR, this,
+            ("every is a number of steps, 1 at least, but is " + std::string(arg[iarg + 1]))
+                .c_str());
+      continue;
+    }
     const double value = force->numeric(FLERR, arg[iarg + 1]);
     if (key == "initial_temperature") {
       if (!(value >= 0.0))
@@ -120,7 +136,7 @@ void FixSolidemConduction::read_arguments(int narg, char** arg) {
       error->fix_error(FLERR, this,
                        ("unknown keyword '" + key +
                         "': known are law, conductivity, specific_heat, density, "
-                        "initial_temperature, area_factor, volume, file")
+                        "initial_temperature, area_factor, volume, file, every")
                            .c_str());
   }
   if (law.empty() || conductivity == 0.0 || specific_heat == 0.0 || density == 0.0 ||
@@ -332,7 +348,7 @@ void FixSolidemConduction::build_conductors() {
       conductors.push_back(
           {i, j, solidem::path_conductance(conductivity, area(i, m, j), distance)});
     }
-  find_steps();
+  step_of_capacities = -1.0;
 }
 
 // Transmission area of bond m of atom i, which leads to atom j.
@@ -349,10 +365,10 @@ double FixSolidemConduction::heat_capacity(int i) const {
   return capacity_factor * solidem::platonic_heat_capacity(element, density, specific_heat);
 }
 
-void FixSolidemConduction::find_steps() {
+void FixSolidemConduction::find_steps(double time) {
   step_over_capacity.resize(atom->nlocal);
-  for (int i = 0; i < atom->nlocal; i++) step_over_capacity[i] = update->dt / heat_capacity(i);
-  step_of_capacities = update->dt;
+  for (int i = 0; i < atom->nlocal; i++) step_over_capacity[i] = time / heat_capacity(i);
+  step_of_capacities = time;
 }
 
 void FixSolidemConduction::require_temperatures() const {
@@ -373,6 +389,18 @@ double FixSolidemConduction::compute_scalar() {
   for (int i = 0; i < atom->nlocal; i++) energy += heat_capacity(i) * temperature->vector_atom[i];
   MPI_Allreduce(&energy, &total, 1, MPI_DOUBLE, MPI_SUM, world);
   return total;
+}
+
+// Of the clock; all else stands with the atoms.
+void FixSolidemConduction::write_restart(FILE* fp) {
+  if (comm->me != 0) return;
+  solidem_write_restart(fp, {static_cast<double>(waited_), waited_time_});
+}
+
+void FixSolidemConduction::restart(char* buffer) {
+  const std::vector<double> clock = solidem_read_restart(error, this, buffer, 2);
+  waited_ = static_cast<int>(clock[0]);
+  waited_time_ = clock[1];
 }
 
 void FixSolidemConduction::grow_arrays(int nmax) {

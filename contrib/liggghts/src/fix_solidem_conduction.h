@@ -32,8 +32,9 @@ namespace LAMMPS_NS {
 /// number of bonds (property coordination) or the volume (cellVolume) with the atoms, so
 /// conductances never change once a bond has been seen. A step adds up the properties heatFlux,
 /// which it empties first and any fix may add to in post_force, and heatSource, which is the
-/// user's. Where bonds give heat or look at temperatures, heat steps before the bonds act in a new
-/// pose: they see the temperatures of their time.
+/// user's. Where bonds give heat or look at temperatures, and where heat waits for several steps of
+/// the motion, heat steps before the bonds act in a new pose: they see the temperatures of their
+/// time.
 class FixSolidemConduction : public Fix {
  public:
   FixSolidemConduction(class LAMMPS*, int, char**);
@@ -55,6 +56,8 @@ class FixSolidemConduction : public Fix {
   /// Whether heat steps before forces act, and calls those that heat by walls or impose a
   /// temperature itself.
   bool leads() const { return leads_; }
+  /// Whether steps of the motion have passed since heat last stepped.
+  bool waits() const { return waited_ > 0; }
 
   void grow_arrays(int);
   void copy_arrays(int, int, int);
@@ -66,6 +69,8 @@ class FixSolidemConduction : public Fix {
   int size_restart(int);
   int maxsize_restart();
   double memory_usage();
+  void write_restart(FILE*);
+  void restart(char*);
 
  private:
   struct Conductor {
@@ -82,8 +87,12 @@ class FixSolidemConduction : public Fix {
   SolidemBondValues* values;
   std::vector<Conductor> conductors;
   std::vector<double> step_over_capacity;  // of local atoms, K/W
-  double step_of_capacities;
+  double step_of_capacities;               // s; negative: not known
+  double checked_step;                     // of the motion, that is known to be stable, s
   bool leads_;
+  int every_;           // steps of the motion from one step of heat to the next
+  int waited_;          // steps of the motion since heat last stepped
+  double waited_time_;  // how long they took, s
   class FixPropertyAtom *temperature, *heat_flux, *heat_source, *coordination, *cell_volume;
   class FixPropertyAtom* waiting_heat;  // of plastic flow; NULL: none
 
@@ -98,11 +107,12 @@ class FixSolidemConduction : public Fix {
   void scale_capacities();
   void build_conductors();
   double area(int, int, int) const;
-  void find_steps();
+  void find_steps(double);
   void find_what_bonds_ask();
   void take_waiting_heat();
+  double pass();
   void conduct();
-  void step();
+  void step(double);
   void require_temperatures() const;
   void require_stable_step();
   std::vector<double> conductances_of_atoms();

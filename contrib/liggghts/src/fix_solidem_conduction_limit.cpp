@@ -39,15 +39,18 @@ void FixSolidemConduction::require_stable_step() {
   for (int i = 0; i < atom->nlocal; i++)
     if (free[i]) here = std::max(here, conductance[i] / heat_capacity(i));
   MPI_Allreduce(&here, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (update->dt * fastest <= 1.0) return;
+  checked_step = update->dt;
+  const double step = every_ * update->dt;
+  if (step * fastest <= 1.0) return;
 
   here = fastest_decay(conductance, free);
   MPI_Allreduce(&here, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (update->dt * fastest <= 2.0) return;
-  char message[160];
+  if (step * fastest <= 2.0) return;
+  char message[160], waits[40];
+  snprintf(waits, sizeof waits, every_ > 1 ? ", taken %d at a time," : "", every_);
   snprintf(message, sizeof message,
-           "the time step %g is unstable: conduction bears steps below %.3g at most", update->dt,
-           2.0 / fastest);
+           "the time step %g%s is unstable: conduction bears steps below %.3g at most", update->dt,
+           waits, 2.0 / (every_ * fastest));
   error->fix_error(FLERR, this, message);
 }
 

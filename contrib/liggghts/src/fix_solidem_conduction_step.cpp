@@ -14,6 +14,10 @@
 // Where bonds give heat or look at temperatures it steps before the bonds act in the new pose: what
 // flow made until the last pose comes to the atoms, then heat is conducted over the step, and bonds
 // see the temperatures that hold in their pose. So does solidem's own step.
+//
+// With `every` above 1 heat steps once in so many steps of the motion, over all of the time that
+// they took, and with the last one before the run's end, which `run ... stop` may put beyond it.
+// That is always before the forces: what flow makes and what bonds see of it wait in between.
 #include <algorithm>
 
 #include "atom.h"
@@ -30,15 +34,28 @@ using namespace LAMMPS_NS;
 
 void FixSolidemConduction::find_what_bonds_ask() {
   const BondSolidemBeam* beams = dynamic_cast<BondSolidemBeam*>(force->bond);
-  leads_ = beams && (beams->follows_temperature() || beams->gives_heat());
+  leads_ = every_ > 1 || (beams && (beams->follows_temperature() || beams->gives_heat()));
   waiting_heat = NULL;
   if (!beams || !beams->gives_heat()) return;
   waiting_heat = static_cast<FixPropertyAtom*>(
       modify->find_fix_property("waitingHeat", "property/atom", "scalar", 0, 0, style));
 }
 
+// Tells that a step of the motion has passed: how long a step heat takes now, 0 if it waits, s.
+double FixSolidemConduction::pass() {
+  waited_++;
+  waited_time_ += update->dt;
+  if (waited_ < every_ && update->ntimestep != update->endstep) return 0.0;
+  const double time = waited_time_;
+  waited_ = 0;
+  waited_time_ = 0.0;
+  return time;
+}
+
 void FixSolidemConduction::post_integrate() {
   if (!leads_) return;
+  const double time = pass();
+  if (time == 0.0) return;
   std::vector<FixSolidemTemperature*> imposed;
   for (int k = 0; k < modify->nfix; k++)
     if (auto* one = dynamic_cast<FixSolidemTemperature*>(modify->fix[k])) imposed.push_back(one);
@@ -48,8 +65,8 @@ void FixSolidemConduction::post_integrate() {
   std::fill_n(flux + atom->nlocal, atom->nghost, 0.0);
   conduct();
   for (int k = 0; k < modify->nfix; k++)
-    if (auto* wall = dynamic_cast<FixSolidemExchange*>(modify->fix[k])) wall->exchange();
-  step();
+    if (auto* wall = dynamic_cast<FixSolidemExchange*>(modify->fix[k])) wall->exchange(time);
+  step(time);
   for (FixSolidemTemperature* one : imposed) one->move_on();
 }
 
@@ -87,14 +104,12 @@ void FixSolidemConduction::conduct() {
 }
 
 void FixSolidemConduction::final_integrate() {
-  if (!leads_) step();
+  if (!leads_) step(update->dt);
 }
 
-void FixSolidemConduction::step() {
-  if (step_of_capacities != update->dt) {  // the time step was changed in mid-run
-    find_steps();
-    require_stable_step();
-  }
+void FixSolidemConduction::step(double time) {
+  if (checked_step != update->dt) require_stable_step();  // it was changed in mid-run
+  if (step_of_capacities != time) find_steps(time);
   double* temp = temperature->vector_atom;
   const double* flux = heat_flux->vector_atom;
   const double* source = heat_source->vector_atom;

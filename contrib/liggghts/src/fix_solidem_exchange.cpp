@@ -126,26 +126,26 @@ void FixSolidemExchange::add_conductances(double* of_atoms) const {
   for (const Contact& contact : local) of_atoms[contact.atom] += contact.conductance;
 }
 
-// A step takes the outer temperature at its start, as it takes all others.
+// A step of heat takes the outer temperature at its start, as it takes all others.
 void FixSolidemExchange::setup(int) {
-  outer_now = outer->temperature();
+  end_of_step();
 }
 
 void FixSolidemExchange::end_of_step() {
-  outer_now = outer->temperature();
+  if (!conduction->waits()) outer_now = outer->temperature();
 }
 
 void FixSolidemExchange::post_force(int) {
-  if (!conduction->leads()) exchange();
+  if (!conduction->leads()) exchange(update->dt);
 }
 
-void FixSolidemExchange::exchange() {
+void FixSolidemExchange::exchange(double time) {
   const double* temp = temperature->vector_atom;
   double* flux = heat_flux->vector_atom;
   for (const Contact& contact : local) {
     const double power = contact.conductance * (outer_now - temp[contact.atom]);
     flux[contact.atom] += power;
-    heat_supplied += power * update->dt;
+    heat_supplied += power * time;
   }
 }
 
@@ -162,12 +162,13 @@ double FixSolidemExchange::compute_scalar() {
 void FixSolidemExchange::write_restart(FILE* fp) {
   const double total = compute_scalar();
   if (comm->me != 0) return;
-  solidem_write_restart(fp, {total});
+  solidem_write_restart(fp, {total, outer_now});
 }
 
 void FixSolidemExchange::restart(char* buffer) {
-  const double total = solidem_read_restart(error, this, buffer, 1)[0];
-  if (comm->me == 0) heat_supplied = total;
+  const std::vector<double> kept = solidem_read_restart(error, this, buffer, 2);
+  if (comm->me == 0) heat_supplied = kept[0];
+  outer_now = kept[1];
 }
 
 double FixSolidemExchange::memory_usage() {

@@ -39,8 +39,9 @@ class FixSolidemExchange : public Fix {
   void post_force(int);
   void end_of_step();
   double compute_scalar();
-  /// Adds the power through the wall to the atoms' heatFlux, and counts its heat over a step.
-  void exchange();
+  /// Adds the power through the wall to the atoms' heatFlux, and counts its heat over a step of so
+  /// long, s.
+  void exchange(double time);
   /// Adds each local atom's conductance to this wall, W/K.
   void add_conductances(double* of_atoms) const;
   void write_restart(FILE*);

@@ -11,6 +11,8 @@
 
 #include <string.h>
 
+#include <vector>
+
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -58,13 +60,13 @@ void FixSolidemTemperature::init() {
 
 // Before bonds act that look at temperatures, and once more after LIGGGHTS has given the property
 // its initial value. Heat counts from the first step on: what the start takes is the initial
-// condition's.
+// condition's. While heat waits, the temperature is that of its last step.
 void FixSolidemTemperature::setup_pre_force(int step) {
   setup(step);
 }
 
 void FixSolidemTemperature::setup(int) {
-  target = imposed->temperature();
+  if (!conduction->waits()) target = imposed->temperature();
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit) temperature->vector_atom[i] = target;
 }
@@ -105,9 +107,11 @@ double FixSolidemTemperature::compute_scalar() {
 
 void FixSolidemTemperature::write_restart(FILE* fp) {
   if (comm->me != 0) return;
-  solidem_write_restart(fp, {heat_supplied});
+  solidem_write_restart(fp, {heat_supplied, target});
 }
 
 void FixSolidemTemperature::restart(char* buffer) {
-  heat_supplied = solidem_read_restart(error, this, buffer, 1)[0];
+  const std::vector<double> kept = solidem_read_restart(error, this, buffer, 2);
+  heat_supplied = kept[0];
+  target = kept[1];
 }

@@ -43,7 +43,7 @@ class FixSolidemTemperature : public Fix {
 
  private:
   class SolidemNumber* imposed;  // K
-  double target;                 // what was imposed last, K
+  double target;                 // what was imposed last, K; heat that waits keeps it
   double heat_supplied;          // of all ranks, J
   class FixSolidemConduction* conduction;
   class FixPropertyAtom* temperature;
