@@ -135,6 +135,7 @@ def main() -> int:
     parser.add_argument("--folder", type=Path, default=ROOT / "results" / "advice_kept")
     given = parser.parse_args()
     rows: list[Row] = []
+    given.folder.mkdir(parents=True, exist_ok=True)
     for name in given.scenes:
         trial = Trial(SCENES / f"{name}.toml", given.folder, given.largest, given.pilot_seconds,
                       given.packings)
@@ -142,10 +143,12 @@ def main() -> int:
             rows.append(row)
             print(told(row), flush=True)
         write(rows, given.folder / "advice.csv")
-    kept = sum(row.kept for row in rows)
-    near = sum(1 / 1.5 <= row.time_ratio <= 1.5 for row in rows)
-    print(f"{kept} of {len(rows)} promises kept; time within a factor 1.5 in {near}")
-    return 0 if kept == len(rows) else 1
+    # Where no body that is allowed keeps either error, both rows are about the largest one.
+    each = list({(row.scene, row.promised, row.error): row for row in rows}.values())
+    kept = sum(row.kept for row in each)
+    near = sum(1 / 1.5 <= row.time_ratio <= 1.5 for row in each)
+    print(f"{kept} of {len(each)} promises kept; time within a factor 1.5 in {near}")
+    return 0 if kept == len(each) else 1
 
 
 if __name__ == "__main__":
