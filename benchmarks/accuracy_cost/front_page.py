@@ -213,12 +213,14 @@ def advice() -> list[str]:
     kept = sum(row["kept"] == "True" for row in each)
     near = sum(1 / 1.5 <= float(row["time_ratio"]) <= 1.5 for row in each)
     beyond = sum(row["reachable"] != "True" for row in rows)
+    largest = max(int(row["elements"]) for row in rows)
     lines = ["## Whether advice keeps its word", "",
              "`solidem advise` ([command_line.md](command_line.md#how-fine-a-scene-has-to-be)) on scenes "
              "that no study contains: what was asked for, what it promised, and the error against bodies of "
              f"twice the elements and more. {kept} of {len(each)} promises were kept; the time was within "
              f"a factor 1.5 of the forecast in {near} (processor time). In {beyond} of {len(rows)} rows no "
-             "body that was allowed kept what was asked; there the promise is that of the largest "
+             f"body of up to {largest} elements, which was allowed, kept what was asked; there the promise "
+             "is that of the largest. References err themselves "
              "([advice.csv](accuracy_cost/advice.csv)).", "",
              "| scene | asked | promised | elements | error | reference | forecast | taken |",
              "|---|---|---|---|---|---|---|---|"]
