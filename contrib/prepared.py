@@ -310,6 +310,7 @@ class Parameters:
     expansion: Expansion | None = None
     softening: OverTemperature | None = None  #: moduli over those of the beams
     plastic_heat: float = 0.0  #: of the plastic work of bonds that heats their ends
+    friction_heat: float = 0.0  #: of the work of slip in contacts that heats both sides
 
     @property
     def joins_heat_and_motion(self) -> bool:
@@ -546,13 +547,25 @@ def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
 KNOWN_SECTIONS = {"beams", "plasticity", "rupture", "contact", "damage", "central_forces", "grips",
                   "gravity", "damping", "conduction", "thermal_contacts", "heat_sources",
                   "heat_fluxes", "convections", "temperatures", "initial_velocities", "tools",
-                  "plastic_heat", "expansion", "softening"}
+                  "plastic_heat", "expansion", "softening", "friction_heat"}
 
 
 def _unknown_sections(effects: list[dict[str, str]]) -> list[str]:
     """What to say of effects that act in solidem and that no other code is told of."""
     asked = {name for effect in effects for name in re.findall(r"\[([a-z_]+)\]", effect["reason"])}
     return [f"[{name}] is not understood" for name in sorted(asked - KNOWN_SECTIONS)]
+
+
+def _friction_heat(law: dict[str, Any] | None, tools: tuple[Tool, ...],
+                   unsupported: list[str]) -> float:
+    """The fraction of the work of slip; what rubs on tools and what dashpots take is unsupported."""
+    if not law:
+        return 0.0
+    if law.get("damping_fraction"):
+        unsupported.append("[friction_heat] damping_fraction: heat of dashpots is not understood")
+    unsupported += [f"[friction_heat] with friction of tool {tool.name}: heat of friction is understood "
+                    "between elements alone" for tool in tools if tool.friction]
+    return float(law["fraction"])
 
 
 def _state_of_yield(law: dict[str, Any]) -> list[str]:
@@ -589,6 +602,7 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
                                "that stay the same are understood")
     expansion = _expansion(laws, unsupported)
     softening = _softening(laws.get("softening"), unsupported)
+    friction_heat = _friction_heat(laws.get("friction_heat"), tools, unsupported)
     return Parameters(
         float(explained["time_step"]["value"]),
         int(explained["steps"]),
@@ -612,6 +626,7 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         expansion,
         softening,
         float((laws.get("plastic_heat") or {}).get("fraction") or 0.0),
+        friction_heat,
     )
 
 

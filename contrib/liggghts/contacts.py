@@ -172,6 +172,12 @@ def differences(specimen: Specimen, parameters: Parameters) -> list[str]:
                      "elements that no bond ever joined pass through each other")
     if contact and contact.friction:
         found.append("[contact] friction: its force does not turn about the normal when both spin")
+    heat_leads = parameters.joins_heat_and_motion or (parameters.conduction
+                                                      and parameters.conduction.every > 1)
+    if parameters.friction_heat and contact and contact.friction and heat_leads:
+        found.append("[friction_heat] where heat steps before contacts act, as it does beside bonds that "
+                     "give heat or look at temperatures, and with every: heat of friction comes to the "
+                     "elements one step later")
     found += [f"tool {tool.name}: friction acts at the middle of the overlap, not at the tool's "
               "surface: levers differ by half the overlap" for tool in tools if tool.friction]
     found += [f"tool {tool.name}: over a face, nearer to its edge than the ball's footprint, the edge "

@@ -361,7 +361,7 @@ def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, 
                directory: Path) -> str:
     """The commands for conduction and what heats the body; their files go to the directory.
 
-    The fixes are called heat, temperature0 ..., exchange0 ... in the order of the scene.
+    The fixes are called heat, friction, temperature0 ..., exchange0 ... in the order of the scene.
     """
     parameters.require_support()
     law = parameters.conduction
@@ -382,6 +382,8 @@ def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, 
              f"specific_heat {full(law.specific_heat_capacity)} density {full(_density(explained))} "
              f"initial_temperature {full(law.initial_temperature)}"
              + (f" every {law.every}\n" if law.every > 1 else "\n"))
+    if parameters.contact and parameters.contact.friction and parameters.friction_heat:
+        lines += f"fix friction all solidem/friction fraction {full(parameters.friction_heat)}\n"
     for number, (name, value) in enumerate(parameters.temperatures.items()):
         lines += group_lines(f"temperature{number}", specimen.sets[f"temperature.{name}"])
         lines += f"fix temperature{number} temperature{number} solidem/temperature {full(value)}\n"

@@ -55,6 +55,8 @@ def _scene(specimen: Specimen, parameters: Parameters, law: str):
         raise SystemExit("run.py: initial velocities are understood of loose elements alone")
     if parameters.contact and not parameters.is_loose and law != "scripted":
         raise SystemExit("run.py: [contact] is understood of loose elements alone")
+    if parameters.friction_heat:
+        raise SystemExit("run.py: [friction_heat] is not supported in YADE")
     if parameters.conduction and parameters.conduction.every > 1:
         raise SystemExit("run.py: heat that waits for several steps of the motion is not supported in "
                          "YADE")

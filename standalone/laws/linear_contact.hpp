@@ -133,6 +133,15 @@ constexpr Real contact_dashpot(const LinearContact<Real>& contact, const Contact
   return select(greater(none, push + dashpot), -push, dashpot);
 }
 
+/// Work of slip since the pose before, J. `turned`: the spring of that pose, turned with the
+/// contact; `trial`: what it would be now without Coulomb's limit, which keeps the part `kept`.
+template <class Real>
+constexpr Real slip_work(const Real& tangential_stiffness, const Real& kept,
+                         const Vector3<Real>& turned, const Vector3<Real>& trial) {
+  const Real half_stiffness = Real{0.5} * tangential_stiffness;
+  return half_stiffness * (Real{1.0} - kept) * dot(turned + kept * trial, trial);
+}
+
 /// Force of a contact in a pose, and the history that the pose brings. Also to be asked, once, of
 /// two that touched before and are apart now: the spring's last energy goes into friction.
 template <class Real>
@@ -161,7 +170,7 @@ constexpr ContactResponse<Real> linear_contact(const LinearContact<Real>& contac
           {at.normal, spring, dashpot},
           half * push * at.overlap,
           half_stiffness * dot(spring, spring),
-          half_stiffness * (one - kept) * dot(turned + spring, trial),
+          slip_work(contact.tangential_stiffness, kept, turned, trial),
           half * (before.dashpot + dashpot) * -opening * at.time_step};
 }
 

@@ -79,7 +79,8 @@ def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str)
 
 @pytest.mark.parametrize("section, laws, words", [
     ("centrifugal_load", {}, r"\[centrifugal_load\] is not understood"),
-    ("friction_heat", {}, r"\[friction_heat\] is not understood"),
+    ("friction_heat", {"friction_heat": {"fraction": 1.0, "damping_fraction": 0.5}},
+     r"\[friction_heat\] damping_fraction: heat of dashpots is not understood"),
     ("contact_conduction", {}, r"\[contact_conduction\] is not understood"),
     ("conduction", {"conduction": {"conductivity": 1.0, "initial_temperature": 300.0,
                                    "largest_change": 1.0}}, "largest_change: heat that chooses"),
@@ -92,6 +93,15 @@ def test_effects_of_which_no_other_code_is_told(bar: Bar, section: str, laws: di
     task["laws"] |= laws
     with pytest.raises(PreparedError, match=words):
         parse_parameters(task).require_support()
+
+
+def test_heat_of_friction_and_heat_that_waits(bar: Bar, tmp_path: Path) -> None:
+    task = beam_task(bar, 1.0, 10)
+    task["laws"] |= {"friction_heat": {"fraction": 1.0}}
+    refuses(bar.path, task, tmp_path / "friction", "[friction_heat] is not supported in YADE")
+    task = heat_task(bar, 10)
+    task["laws"]["conduction"]["every"] = 5
+    refuses(bar.path, task, tmp_path / "clock", "waits for several steps of the motion is not supported")
 
 
 def test_damping_of_bonds(bar: Bar, tmp_path: Path) -> None:

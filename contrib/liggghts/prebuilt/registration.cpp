@@ -28,6 +28,7 @@
 #include "fix_solidem_conduction.h"
 #include "fix_solidem_damage.h"
 #include "fix_solidem_exchange.h"
+#include "fix_solidem_friction.h"
 #include "fix_solidem_temperature.h"
 #include "force.h"
 #include "modify.h"
@@ -107,6 +108,7 @@ void Modify::add_fix(int narg, char** arg, char* suffix) {
   fixes["solidem/conduction"] = &create_fix<FixSolidemConduction>;
   fixes["solidem/damage"] = &create_fix<FixSolidemDamage>;
   fixes["solidem/exchange"] = &create_fix<FixSolidemExchange>;
+  fixes["solidem/friction"] = &create_fix<FixSolidemFriction>;
   fixes["solidem/temperature"] = &create_fix<FixSolidemTemperature>;
   typedef void (*AddFix)(Modify*, int, char**, char*);
   static const AddFix library_add_fix =

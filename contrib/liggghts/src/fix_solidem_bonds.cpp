@@ -32,6 +32,7 @@
 #include "pair.h"
 #include "solidem_reach.h"
 #include "solidem_restart.h"
+#include "solidem_waiting_heat.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -124,23 +125,12 @@ void FixSolidemBonds::find_properties() {
       modify->find_fix_property("orientation", "property/atom", "vector", 4, 0, style));
   beams = dynamic_cast<BondSolidemBeam*>(force->bond);
   if (beams && beams->may_break()) lost = property("lostBonds", "no", "yes");
-  if (beams && beams->gives_heat()) keep_waiting_heat();
+  if (beams && beams->gives_heat()) solidem_waiting_heat(modify, atom->nlocal, style);
   if (minimal_bonds > 0) removed = property("removedAtom", "yes", "no");
   if (beams && beams->may_damp()) {
     keep_motion("motionAtPose", "yes");
     keep_motion("motionBefore", "no");
   }
-}
-
-// Heat that flow has made of each atom and that its temperature does not show yet. Without a
-// default, which LIGGGHTS would give to all atoms once more at the end of the first setup.
-void FixSolidemBonds::keep_waiting_heat() {
-  const char* name = "waitingHeat";
-  if (modify->find_fix_property(name, "property/atom", "scalar", 0, 0, style, false)) return;
-  const char* command[] = {name,  "all", "property/atom", name,  "scalar",
-                           "yes", "no",  "yes",           "none"};
-  FixPropertyAtom* made = modify->add_fix_property_atom(9, const_cast<char**>(command), style);
-  if (!made->restart_reset) std::fill_n(made->vector_atom, atom->nlocal, 0.0);
 }
 
 // Six numbers of every atom, which no restart file needs; made if there are none. Without a

@@ -99,7 +99,6 @@ class FixSolidemBonds : public Fix {
   void require_unit_orientations() const;
   class FixPropertyAtom* property(const char* name, const char* forward, const char* reverse);
   void keep_motion(const char* name, const char* forward);
-  void keep_waiting_heat();
   void store_history();
   void store_row(int n, int i, int partner, int nth);
   void drop_gone_bonds();

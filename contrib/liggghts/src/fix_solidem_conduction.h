@@ -94,7 +94,7 @@ class FixSolidemConduction : public Fix {
   int waited_;          // steps of the motion since heat last stepped
   double waited_time_;  // how long they took, s
   class FixPropertyAtom *temperature, *heat_flux, *heat_source, *coordination, *cell_volume;
-  class FixPropertyAtom* waiting_heat;  // of plastic flow; NULL: none
+  class FixPropertyAtom* waiting_heat;  // of plastic flow and friction; NULL: none
 
   void read_arguments(int, char**);
   class FixPropertyAtom* property(const char*, const char*, const char*, const char*);
@@ -110,6 +110,7 @@ class FixSolidemConduction : public Fix {
   void find_steps(double);
   void find_what_bonds_ask();
   void take_waiting_heat();
+  void take_heat_of_friction();
   double pass();
   void conduct();
   void step(double);

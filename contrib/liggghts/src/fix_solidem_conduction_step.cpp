@@ -10,10 +10,11 @@
 
 // Heat through a time step.
 //
-// By itself heat steps as forces do: fluxes of all fixes in post_force, temperatures after them.
-// Where bonds give heat or look at temperatures it steps before the bonds act in the new pose: what
-// flow made until the last pose comes to the atoms, then heat is conducted over the step, and bonds
-// see the temperatures that hold in their pose. So does solidem's own step.
+// By itself heat steps as forces do: fluxes of all fixes in post_force, after the heat of friction
+// of that step, and temperatures after them. Where bonds give heat or look at temperatures it steps
+// before the bonds act in the new pose: what flow made until the last pose comes to the atoms, then
+// heat is conducted over the step, and bonds see the temperatures that hold in their pose. So does
+// solidem's own step.
 //
 // With `every` above 1 heat steps once in so many steps of the motion, over all of the time that
 // they took, and with the last one before the run's end, which `run ... stop` may put beyond it.
@@ -25,20 +26,34 @@
 #include "fix_property_atom.h"
 #include "fix_solidem_conduction.h"
 #include "fix_solidem_exchange.h"
+#include "fix_solidem_friction.h"
 #include "fix_solidem_temperature.h"
 #include "force.h"
 #include "modify.h"
+#include "solidem_waiting_heat.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 
+namespace {
+
+template <class Style>
+std::vector<Style*> fixes(Modify* modify) {
+  std::vector<Style*> found;
+  for (int k = 0; k < modify->nfix; k++)
+    if (auto* one = dynamic_cast<Style*>(modify->fix[k])) found.push_back(one);
+  return found;
+}
+
+}  // namespace
+
 void FixSolidemConduction::find_what_bonds_ask() {
   const BondSolidemBeam* beams = dynamic_cast<BondSolidemBeam*>(force->bond);
-  leads_ = every_ > 1 || (beams && (beams->follows_temperature() || beams->gives_heat()));
-  waiting_heat = NULL;
-  if (!beams || !beams->gives_heat()) return;
-  waiting_heat = static_cast<FixPropertyAtom*>(
-      modify->find_fix_property("waitingHeat", "property/atom", "scalar", 0, 0, style));
+  const bool flow_heats = beams && beams->gives_heat();
+  leads_ = every_ > 1 || flow_heats || (beams && beams->follows_temperature());
+  const bool friction_heats = modify->n_fixes_style_strict("solidem/friction") > 0;
+  waiting_heat =
+      flow_heats || friction_heats ? solidem_waiting_heat(modify, atom->nlocal, style) : NULL;
 }
 
 // Tells that a step of the motion has passed: how long a step heat takes now, 0 if it waits, s.
@@ -56,16 +71,13 @@ void FixSolidemConduction::post_integrate() {
   if (!leads_) return;
   const double time = pass();
   if (time == 0.0) return;
-  std::vector<FixSolidemTemperature*> imposed;
-  for (int k = 0; k < modify->nfix; k++)
-    if (auto* one = dynamic_cast<FixSolidemTemperature*>(modify->fix[k])) imposed.push_back(one);
+  const auto imposed = fixes<FixSolidemTemperature>(modify);
   take_waiting_heat();
   for (FixSolidemTemperature* one : imposed) one->hold();
   double* flux = heat_flux->vector_atom;
   std::fill_n(flux + atom->nlocal, atom->nghost, 0.0);
   conduct();
-  for (int k = 0; k < modify->nfix; k++)
-    if (auto* wall = dynamic_cast<FixSolidemExchange*>(modify->fix[k])) wall->exchange(time);
+  for (FixSolidemExchange* wall : fixes<FixSolidemExchange>(modify)) wall->exchange(time);
   step(time);
   for (FixSolidemTemperature* one : imposed) one->move_on();
 }
@@ -85,7 +97,16 @@ void FixSolidemConduction::take_waiting_heat() {
 
 // Other fixes add to the fluxes too; temperatures change after all have done so.
 void FixSolidemConduction::post_force(int) {
-  if (!leads_) conduct();
+  if (leads_) return;
+  if (waiting_heat) take_heat_of_friction();
+  conduct();
+}
+
+// Of this very pose: the forces have acted in it.
+void FixSolidemConduction::take_heat_of_friction() {
+  for (FixSolidemFriction* friction : fixes<FixSolidemFriction>(modify)) friction->enter();
+  take_waiting_heat();
+  for (FixSolidemTemperature* imposed : fixes<FixSolidemTemperature>(modify)) imposed->hold();
 }
 
 void FixSolidemConduction::conduct() {
