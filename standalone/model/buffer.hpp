@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <new>
 #include <utility>
@@ -14,6 +13,10 @@
 #endif
 
 namespace solidem {
+
+/// Writes zeros, in parts by the threads that will work on them: memory lies near the thread that
+/// touches it first.
+void fill_with_zeros(char* memory, std::size_t bytes);
 
 /// Zeroed memory for a column, aligned to a cache line.
 /// Large buffers ask for huge pages (worth a quarter of the run time at a million elements), and
@@ -35,7 +38,7 @@ class Buffer {
 #if defined(__linux__)
     if (large) madvise(memory_.get(), whole, MADV_HUGEPAGE);
 #endif
-    std::memset(memory_.get(), 0, offset + bytes);
+    fill_with_zeros(memory_.get(), offset + bytes);
     data_ = reinterpret_cast<T*>(memory_.get() + offset);
   }
 

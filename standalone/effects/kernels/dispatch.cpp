@@ -47,9 +47,8 @@ std::vector<const Kernels*> usable_kernels() {
 
 namespace {
 
-const Kernels& choose() {
-  const char* variable = std::getenv("SOLIDEM_INSTRUCTION_SET");
-  const std::string asked = variable == nullptr ? "" : variable;
+/// Of the best instruction set, or of the one that the environment asks for.
+const Kernels& choose(const std::string& asked) {
   std::string names;
   for (const Kernels* candidate : usable_kernels()) {
     if (asked.empty() || asked == candidate->instruction_set) return *candidate;
@@ -59,19 +58,42 @@ const Kernels& choose() {
                    ": unknown, or this machine lacks it; usable here:" + names);
 }
 
+struct Choice {
+  const Kernels* set;
+  Kernels kernels;
+};
+
+const Choice& choice() {
+  static const Choice made = [] {
+    const char* variable = std::getenv("SOLIDEM_INSTRUCTION_SET");
+    const std::string asked = variable == nullptr ? "" : variable;
+    const Kernels& set = choose(asked);
+    Choice found{&set, set};
+#if defined(SOLIDEM_COMPILED_FOR_x86_64_v3) && defined(SOLIDEM_COMPILED_FOR_x86_64_v4)
+    // Conduction does little but gather. Where the processor gathers more slowly than it loads, the
+    // loops that load are better: docs/speed.md.
+    if (asked.empty() && found.set == &x86_64_v4::kernels && __builtin_cpu_is("amd")) {
+      found.kernels.conduct = x86_64_v3::kernels.conduct;
+      found.kernels.conducted_power = x86_64_v3::kernels.conducted_power;
+    }
+#endif
+    return found;
+  }();
+  return made;
+}
+
 }  // namespace
 
 const Kernels& kernels() {
-  static const Kernels& chosen = choose();
-  return chosen;
+  return choice().kernels;
 }
 
 MultiplyRows multiply_rows() {
 #if defined(SOLIDEM_COMPILED_FOR_x86_64_v4)
-  if (&kernels() == &x86_64_v4::kernels) return x86_64_v4::multiply_rows;
+  if (choice().set == &x86_64_v4::kernels) return x86_64_v4::multiply_rows;
 #endif
 #if defined(SOLIDEM_COMPILED_FOR_x86_64_v3)
-  if (&kernels() == &x86_64_v3::kernels) return x86_64_v3::multiply_rows;
+  if (choice().set == &x86_64_v3::kernels) return x86_64_v3::multiply_rows;
 #endif
   return baseline::multiply_rows;
 }

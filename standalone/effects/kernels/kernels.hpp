@@ -252,8 +252,9 @@ struct Kernels {
 /// The kernels that this machine can run, the best first.
 std::vector<const Kernels*> usable_kernels();
 
-/// The kernels for this machine's best instruction set; the environment variable
-/// SOLIDEM_INSTRUCTION_SET (baseline, x86_64_v3, x86_64_v4) asks for another.
+/// The kernels for this machine's best instruction set, but those of another one that were measured
+/// to be faster on such a processor; the environment variable SOLIDEM_INSTRUCTION_SET (baseline,
+/// x86_64_v3, x86_64_v4) asks for one set alone.
 /// Throws InputError when it names one that is unknown or that this machine lacks.
 const Kernels& kernels();
 
