@@ -125,7 +125,7 @@ def test_heat_steps_as_long_as_it_waited(liggghts: Liggghts, tmp_path: Path) -> 
     ("every -3", 1e-3, "1 at least, but is -3"),
     ("every 2.5", 1e-3, "Expected integer"),
     ("every", 1e-3, "keyword without value: every"),
-    ("every 1000", 1e-1, "taken 1000 at a time, is unstable: conduction bears steps below"),
+    ("every 1000", 1e-1, ", 1000 at a time, is unstable: conduction bears steps below"),
 ])
 def test_a_clock_that_cannot_be(
     liggghts: Liggghts, tmp_path: Path, words: str, step: float, message: str

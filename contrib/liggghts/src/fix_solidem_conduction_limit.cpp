@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "atom.h"
@@ -46,11 +47,11 @@ void FixSolidemConduction::require_stable_step() {
   here = fastest_decay(conductance, free);
   MPI_Allreduce(&here, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
   if (step * fastest <= 2.0) return;
-  char message[160], waits[40];
-  snprintf(waits, sizeof waits, every_ > 1 ? ", taken %d at a time," : "", every_);
+  char message[160];
+  const std::string waits = every_ > 1 ? ", " + std::to_string(every_) + " at a time," : "";
   snprintf(message, sizeof message,
            "the time step %g%s is unstable: conduction bears steps below %.3g at most", update->dt,
-           waits, 2.0 / (every_ * fastest));
+           waits.c_str(), 2.0 / (every_ * fastest));
   error->fix_error(FLERR, this, message);
 }
 
