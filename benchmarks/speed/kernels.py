@@ -46,7 +46,6 @@ class Body:
     elements: int
     scene: str
     bonds: int
-    slots: int
     bytes: int  #: of all columns
 
 
@@ -80,7 +79,7 @@ def body(effect: str, elements: int, standalone: Standalone, folder: Path) -> Bo
     scene.write_text(scene_text)
     told = standalone.call(["explain", scene, "--json", "--quick"], folder / "explain", 600)
     report = json.loads(told.read_text())
-    return Body(effect, elements, scene_text, report["bonds"], report["slots"], report["bytes"])
+    return Body(effect, elements, scene_text, report["bonds"], report["bytes"])
 
 
 def floors(sizes: list[int]) -> dict[str, Any]:

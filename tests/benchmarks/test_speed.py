@@ -11,7 +11,7 @@ from benchmarks.speed import kernels
 TOLD = {"slot": {"beams": {"simple": 200, "divisions": 1, "roots": 1}},
         "threads": {"1": {"arithmetic": {"baseline": {"fused": 1e10, "divisions": 1e9, "roots": 5e8}},
                           "triad": {"1000000": 2e10}}}}
-BODY = kernels.Body("beams", 1000, "", bonds=5000, slots=10000, bytes=1000000)
+BODY = kernels.Body("beams", 1000, "", bonds=5000, bytes=1000000)
 
 
 def test_floors_are_those_of_both_sides_of_a_bond_and_of_all_columns() -> None:
@@ -20,7 +20,7 @@ def test_floors_are_those_of_both_sides_of_a_bond_and_of_all_columns() -> None:
     slow = {**TOLD, "slot": {"beams": {"simple": 10, "divisions": 1, "roots": 1}}}
     assert kernels.arithmetic_floor(slow, BODY, "baseline", 1) == pytest.approx(6)
     assert kernels.bytes_floor(TOLD, BODY, 1) == pytest.approx(50e3 / 5000)
-    unknown = kernels.Body("central_fixed", 1000, "", 5000, 10000, 1000000)
+    unknown = kernels.Body("central_fixed", 1000, "", 5000, 1000000)
     assert kernels.arithmetic_floor(TOLD, unknown, "baseline", 1) == 0
 
 
