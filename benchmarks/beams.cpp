@@ -11,7 +11,6 @@
 //
 // Time is that of the processor, so that a busy machine disturbs little.
 #include <omp.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -23,7 +22,7 @@
 #include "effects/kernels/kernels.hpp"
 #include "engine/simulation.hpp"
 #include "scene/body.hpp"
-#include "scene/scene.hpp"
+#include "stretched_cube.hpp"
 
 namespace {
 
@@ -61,23 +60,6 @@ struct Case {
   std::vector<double> times;               ///< ns for each bond and step
 };
 
-Scene scene_of(const Case& one, const std::string& elements) {
-  const std::string each = '"' + std::to_string(one.rate) + " 1/s\"";
-  SceneSource source("beams.toml");
-  source.text =
-      "[specimen]\nshape = \"box\"\nsize = [\"10 mm\", \"10 mm\", \"10 mm\"]\nelements = " +
-      elements + "\n[material]\ndensity = \"2790 kg/m^3\"\n" + one.sections +
-      "[[initial_velocities]]\nregion = { all = true }\nstretching = [" + each + ", " + each +
-      ", " + each + "]\n[run]\nsteps = 1000000\n";
-  return read_scene(source);
-}
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// ns for each bond and step.
 double time_of(Simulation& simulation) {
   constexpr int steps = 20;
@@ -100,9 +82,10 @@ void measure(int rounds, const std::string& elements) {
       {"with rupture and contact", std::string(elastic) + strong + may_break, 4, {}, {}},
       {"all flow", std::string(elastic) + weak, 4e4, {}, {}},
   };
-  const Specimen specimen = make_body(scene_of(cases[0], elements));
+  const Specimen specimen = make_body(stretched_cube(cases[0].sections, elements, cases[0].rate));
   for (Case& one : cases) {
-    one.simulation = std::make_unique<Simulation>(scene_of(one, elements).setup, specimen);
+    one.simulation = std::make_unique<Simulation>(
+        stretched_cube(one.sections, elements, one.rate).setup, specimen);
     one.simulation->advance(30);
   }
   for (int round = 0; round < rounds; ++round)

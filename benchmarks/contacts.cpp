@@ -11,7 +11,6 @@
 // busy machine it does not count, so that figures of two threads are what two free cores would
 // give.
 #include <omp.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -27,7 +26,7 @@
 #include "engine/simulation.hpp"
 #include "model/error.hpp"
 #include "scene/body.hpp"
-#include "scene/scene.hpp"
+#include "stretched_cube.hpp"
 
 namespace {
 
@@ -85,12 +84,6 @@ class FloorOfFacets {
   std::filesystem::path path_;
 };
 
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// A scene on a body that is made once.
 struct Case {
   Scene scene;
@@ -118,27 +111,15 @@ struct Case {
   }
 };
 
-/// `rate`: at which the body stretches when it begins, 1/s.
-Scene scene_of(const std::string& sections, const std::string& elements, double rate) {
-  const std::string each = '"' + text(rate) + " 1/s\"";
-  SceneSource source("contacts.toml");
-  source.text =
-      "[specimen]\nshape = \"box\"\nsize = [\"10 mm\", \"10 mm\", \"10 mm\"]\nelements = " +
-      elements + "\n[material]\ndensity = \"2790 kg/m^3\"\n" + sections +
-      "[[initial_velocities]]\nregion = { all = true }\nstretching = [" + each + ", " + each +
-      ", " + each + "]\n[run]\nsteps = 1000\n";
-  return read_scene(source);
-}
-
 void measure(int rounds, const std::string& elements) {
   // A body that shrinks so fast that all of its elements touch within a few steps.
-  const Scene crushed = scene_of(loose, elements, -4000);
+  const Scene crushed = stretched_cube(loose, elements, -4000);
   const FloorOfFacets floor(71);
   const Specimen packing = make_body(crushed);
   const Case grains{crushed, &packing, 30, 60},
-      bonded{scene_of(beams, elements, 4), &packing, 10, 60},
-      watched{scene_of(std::string(beams) + beside_beams, elements, 4), &packing, 10, 60},
-      pressed{scene_of(beams + floor.section(), elements, 4), &packing, 10, 60};
+      bonded{stretched_cube(beams, elements, 4), &packing, 10, 60},
+      watched{stretched_cube(std::string(beams) + beside_beams, elements, 4), &packing, 10, 60},
+      pressed{stretched_cube(beams + floor.section(), elements, 4), &packing, 10, 60};
   double best[5];
   std::fill_n(best, 5, std::numeric_limits<double>::infinity());
   double contacts = 0, touched = 0;
