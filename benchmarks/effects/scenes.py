@@ -85,7 +85,6 @@ BEAM_EFFECTS: dict[str, str] = {
     "Timoshenko beams": "=" + BEAMS.replace("[beams]", '[beams]\nlaw = "timoshenko"'),
     "springs": "=" + BEAMS.replace("[beams]", '[beams]\nlaw = "spring"').replace(
         "poisson_ratio = 0.3\n", ""),
-    "mixed precision": "=" + BEAMS.replace("[beams]", '[beams]\nprecision = "mixed"'),
     "damping": DAMPING,
     "gravity": GRAVITY,
     "a sensor": SENSOR,

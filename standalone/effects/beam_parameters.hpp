@@ -44,10 +44,7 @@ struct BeamParameters {
     mean,  ///< the mean radius R_m of the specimen
     pair   ///< (R_i + R_j) / 2 of the two elements
   };
-  /// Of the law; places and velocities are double always.
-  enum class Precision { whole, mixed };
   Law law = Law::euler_bernoulli;
-  Precision precision = Precision::whole;
   double young_modulus = 0;        ///< E of the beams (microscopic), Pa
   double shear_modulus = 0;        ///< G of the beams (microscopic), Pa; 0 for springs
   double shear_coefficient = 0.9;  ///< κ of Timoshenko beams

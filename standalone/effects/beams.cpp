@@ -82,8 +82,7 @@ std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool perio
 
 Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model& model)
     : demands_(demands),
-      properties_(demands.elasticity, model.specimen(), demands.yield()),
-      mean_radius_(mean_radius(model.specimen())) {
+      properties_(demands.elasticity, model.specimen(), demands.yield()) {
   const Specimen& specimen = model.specimen();
   section_ = properties_.common_section();
   rigidity_ = properties_.rigidity(section_, 1);
@@ -290,8 +289,6 @@ BeamMotion Beams::motion(Model& model) const {
   BeamMotion motion{};
   motion.watch = demands_.watch();
   motion.has_rotation = demands_.has_rotation();
-  motion.single_precision = demands_.elasticity.precision == BeamParameters::Precision::mixed;
-  motion.length_unit = mean_radius_;
   motion.first_row = model.slots().first_row();
   motion.neighbour = model.slots().neighbours();
   motion.pose = model.data(columns::pose);

@@ -66,11 +66,6 @@ class Beams : public Mechanics {
   double typical_energy(const Model& model) const override {
     return 2 * rigidity_.axial * mean_radius(model.specimen());
   }
-  double round_off_strain() const override {
-    return demands_.elasticity.precision == BeamParameters::Precision::mixed
-               ? 1e-6
-               : Mechanics::round_off_strain();
-  }
 
   /// E S / l
   double mean_stiffness(const Model& model) const override;
@@ -149,7 +144,6 @@ class Beams : public Mechanics {
 
   BeamDemands demands_;
   BeamProperties properties_;
-  double mean_radius_;             ///< of the elements, m
   BeamSection<double> section_;    ///< of every beam, where all are alike
   BeamRigidity<double> rigidity_;  ///< likewise
   double least_limit_;             ///< strain up to which no new bond flows or breaks

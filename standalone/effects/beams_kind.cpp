@@ -104,7 +104,6 @@ Rule fibres_section(BeamParameters& beams) {
 
 using Law = BeamParameters::Law;
 using RadiusFrom = BeamParameters::RadiusFrom;
-using Precision = BeamParameters::Precision;
 
 std::vector<Key> beams_keys(BeamParameters& p, Reading& reading) {
   return {
@@ -128,10 +127,6 @@ std::vector<Key> beams_keys(BeamParameters& p, Reading& reading) {
       may_have("radius_from", choice<RadiusFrom>(p.radius_from, {{"mean", RadiusFrom::mean},
                                                                  {"pair", RadiusFrom::pair}}))
           .means("the specimen's mean radius, or (R_i + R_j) / 2"),
-      may_have("precision", choice<Precision>(p.precision, {{"double", Precision::whole},
-                                                            {"mixed", Precision::mixed}}))
-          .means("of the law; places, velocities and sums are double always; mixed for elastic "
-                 "Euler–Bernoulli beams that are all alike"),
       may_have("anisotropy", anisotropy_section(p))
           .means("beams that follow a grain, see below")
           .without("all directions alike"),
@@ -150,10 +145,6 @@ void finish_beams(const Section& section, BeamParameters& p, Reading& /*reading*
   if (section.has("shear_coefficient") && p.law != Law::timoshenko)
     section.refuse("shear_coefficient", "only Timoshenko beams shear",
                    "law = \"timoshenko\" beside it");
-  if (p.precision == Precision::mixed && (p.law != Law::euler_bernoulli || !beams_are_alike(p)))
-    section.refuse("precision", "only Euler-Bernoulli beams that are all alike",
-                   "precision = \"double\", or radius_from = \"mean\" and no grain, fibres or "
-                   "materials");
   finish_beam_materials(section, p);
   if (p.law == Law::spring) {
     for (const char* key : {"poisson_ratio", "shear_modulus"})
@@ -177,7 +168,6 @@ std::string beam_kernel(const BeamDemands& demands, bool periodic) {
   if (demands.watch() == Watch::watched) kernel += ", brittle";
   if (demands.needs(periodic).differ) kernel += ", a rigidity for each bond";
   if (periodic) kernel += ", periodic";
-  if (demands.elasticity.precision == Precision::mixed) kernel += ", law in single precision";
   return kernel;
 }
 

@@ -246,12 +246,6 @@ std::vector<Key> softening_keys(SofteningParameters& p, Reading& /*reading*/) {
               .means("E at a temperature over that of `[beams]`; G and all stiffness with it")};
 }
 
-void finish_softening(const Section& section, SofteningParameters& /*p*/, Reading& reading) {
-  const auto& beams = reading.setup.get<BeamParameters>();
-  if (beams && beams->precision == BeamParameters::Precision::mixed)
-    section.refuse("beams in mixed precision are all alike", "precision = \"double\" in [beams]");
-}
-
 bool yields_warm(const Setup& setup) {
   const auto& plasticity = setup.get<PlasticityParameters>();
   return plasticity && follows_temperature(plasticity->hardening);
@@ -283,9 +277,8 @@ void plan_softening(const Setup& setup, Plan& plan) {
 }
 
 template <class Parameters>
-EffectKind kind_of_warm_beams(const std::string& section, BindKeys<Parameters> keys,
-                              FinishReading<Parameters> finish) {
-  EffectKind kind = single_kind<Parameters>(section, keys, finish);
+EffectKind kind_of_warm_beams(const std::string& section, BindKeys<Parameters> keys) {
+  EffectKind kind = single_kind<Parameters>(section, keys, as_read<Parameters>);
   kind.needs = Provides::heat;
   kind.beside = {"beams"};
   kind.problem_alone = "there are no beams";
@@ -295,8 +288,7 @@ EffectKind kind_of_warm_beams(const std::string& section, BindKeys<Parameters> k
 }  // namespace
 
 EffectKind expansion_kind() {
-  EffectKind kind = kind_of_warm_beams<ExpansionParameters>("expansion", expansion_keys,
-                                                            as_read<ExpansionParameters>);
+  EffectKind kind = kind_of_warm_beams<ExpansionParameters>("expansion", expansion_keys);
   kind.plan = plan_expansion;
   kind.explain = [values = kind.explain](const Setup& setup, const Specimen& specimen,
                                          nlohmann::ordered_json& json) {
@@ -312,7 +304,7 @@ EffectKind expansion_kind() {
 
 EffectKind softening_kind() {
   EffectKind kind =
-      kind_of_warm_beams<SofteningParameters>("softening", softening_keys, finish_softening);
+      kind_of_warm_beams<SofteningParameters>("softening", softening_keys);
   kind.plan = plan_softening;
   kind.explain = [](const Setup& setup, const Specimen& /*specimen*/,
                     nlohmann::ordered_json& json) {

@@ -34,7 +34,7 @@ class Mechanics : public Effect, public ActsBetweenElements {
   /// A small energy to measure round-off by: that of one pair, J.
   virtual double typical_energy(const Model& model) const = 0;
   /// Strains that round-off alone may bring, with a wide margin.
-  virtual double round_off_strain() const { return 1e-9; }
+  static constexpr double round_off_strain = 1e-9;
 
   /// Whether the forces can give more to motion than was put in: elements attract each other.
   virtual bool releases_energy() const { return false; }

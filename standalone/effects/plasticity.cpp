@@ -38,8 +38,6 @@ void read_plasticity(const Value& value, Reading& reading) {
       section.refuse("rate_time", "this law does not look at the rate of flow",
                      "hardening = \"johnson-cook\" with a rate_sensitivity");
     if (!beams) return;  // refused as a whole
-    if (beams->precision == BeamParameters::Precision::mixed)
-      section.refuse("beams in mixed precision are elastic", "precision = \"double\" in [beams]");
     reading.setup.get<PlasticityParameters>() = p;
   }).read(value);
 }

@@ -211,8 +211,6 @@ void read_rupture(const Value& value, Reading& reading) {
     const auto& beams = reading.setup.get<BeamParameters>();
     read_bond_law<RuptureLaws>(section, "law", own_keys(p), beams, p.law);
     if (!beams) return;  // refused as a whole
-    if (beams->precision == BeamParameters::Precision::mixed)
-      section.refuse("beams in mixed precision are elastic", "precision = \"double\" in [beams]");
     reading.setup.get<RuptureParameters>() = p;
   }).read(value);
 }

@@ -438,9 +438,7 @@ class Recorder {
     summary["peak_memory_bytes"] = peak_memory_bytes();
     summary["bytes_per_element"] =
         static_cast<double>(model.bytes()) / static_cast<double>(model.elements());
-    const auto& beams = simulation_.setup().get<BeamParameters>();
-    const bool is_mixed = beams && beams->precision == BeamParameters::Precision::mixed;
-    summary["precision"] = is_mixed ? "mixed" : "double";
+    summary["precision"] = "double";
     summary["threads"] = omp_get_max_threads();
     summary["instruction_set"] = kernels().instruction_set;
     summary["hardware"] = to_json(hardware());

@@ -101,7 +101,7 @@ Simulation::Simulation(const Setup& setup, Specimen specimen, bool force)
   record_initial_energy();
   specimen_marks_ = marks_of(model_);
   if (mechanics_ != nullptr)
-    guard_.ignore(mechanics_->round_off_strain() * mechanics_->round_off_strain() *
+    guard_.ignore(Mechanics::round_off_strain * Mechanics::round_off_strain *
                   static_cast<double>(model_.slots().bonds()) * mechanics_->typical_energy(model_));
 }
 

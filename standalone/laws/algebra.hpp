@@ -30,7 +30,6 @@ constexpr double select(bool condition, double a, double b) {
 
 /// What is added to a square before a root, so that nothing is divided by zero: far below any
 /// square that matters, and its inverse is finite.
-template <class Real>
 inline constexpr double tiny_square = 1e-280;
 
 /// A vector of three Cartesian components.

@@ -138,7 +138,7 @@ template <class Real>
 constexpr BeamDeformation<Real> spring_deformation(const Real& rest_length,
                                                    const Vector3<Real>& chord) {
   const auto [length, inverse_length, inverse_rest_length] =
-      length_and_inverses(dot(chord, chord) + Real{tiny_square<Real>}, rest_length);
+      length_and_inverses(dot(chord, chord) + Real{tiny_square}, rest_length);
   return {inverse_length * chord, inverse_length, inverse_rest_length, length - rest_length,
           Real{0.0}};
 }

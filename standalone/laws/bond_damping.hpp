@@ -100,7 +100,7 @@ constexpr DashpotAction<Real> bond_damping(const BondModeFactors<Real>& dashpots
                                            const BondMotion<Real>& motion) {
   using std::sqrt;
   const Real half{0.5};
-  const Real inverse_length = Real{1.0} / sqrt(dot(chord, chord) + Real{tiny_square<Real>});
+  const Real inverse_length = Real{1.0} / sqrt(dot(chord, chord) + Real{tiny_square});
   const Vector3<Real> n = inverse_length * chord;
   const Vector3<Real> difference = motion.spin_j - motion.spin_i;
   const Vector3<Real> mean = half * (motion.spin_i + motion.spin_j);

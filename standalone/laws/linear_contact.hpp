@@ -102,7 +102,7 @@ Real damping_coefficient(const Real& ratio, const Real& stiffness, const Real& i
 template <class Real>
 constexpr Vector3<Real> onto_tangent_plane(const Vector3<Real>& spring, const Vector3<Real>& before,
                                            const Vector3<Real>& normal) {
-  const Real tiny{tiny_square<Real>}, one{1.0};
+  const Real tiny{tiny_square}, one{1.0};
   return spring - (dot(normal, spring) / (one + dot(before, normal) + tiny)) * (before + normal);
 }
 
@@ -149,7 +149,7 @@ constexpr ContactResponse<Real> linear_contact(const LinearContact<Real>& contac
                                                const ContactMotion<Real>& at,
                                                const ContactHistory<Real>& before) {
   using std::sqrt;
-  const Real tiny{tiny_square<Real>}, none{0.0}, one{1.0}, half{0.5};
+  const Real tiny{tiny_square}, none{0.0}, one{1.0}, half{0.5};
   const auto touches = greater(at.overlap, none);
   const Real opening = dot(at.velocity, at.normal);
   const Real push = select(touches, contact.normal_stiffness * at.overlap, none);

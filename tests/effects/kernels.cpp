@@ -212,40 +212,6 @@ std::vector<Variant> variants() {
 
 INSTANTIATE_TEST_SUITE_P(Variants, BeamKernel, testing::ValuesIn(variants()));
 
-TEST(BeamKernelInSinglePrecision, pulls_as_the_law_says_to_the_precision_of_a_float) {
-  auto setup = elastic_setup();
-  setup.get<BeamParameters>()->precision = BeamParameters::Precision::mixed;
-  const Simulation simulation(setup, jittered("bcc", {4, 3, 3}), true);
-  Model& model = const_cast<Simulation&>(simulation).model();
-  disturb(model, 1e-3);
-  Observation seen;
-  simulation.observe(seen);
-  double largest = 0, largest_spin = 0;
-  for (std::size_t i = 0; i < model.elements(); ++i) {
-    largest = std::max(largest, norm(seen.motion.force[i]) * model.data(columns::inverse_mass)[i]);
-    largest_spin = std::max(largest_spin,
-                            norm(seen.motion.moment[i]) * model.data(columns::inverse_inertia)[i]);
-  }
-  const auto before = contents(model);
-  for (const Kernels* kernels : usable_kernels()) {
-    SCOPED_TRACE(kernels->instruction_set);
-    put_back(model, before);
-    BeamMotion motion = simulation.find<Beams>()->motion(model);
-    ASSERT_TRUE(motion.single_precision);
-    motion.kick = 1;
-    kernels->move_beams(motion, 0, model.slots().blocks());
-    for (std::size_t i = 0; i < model.elements(); ++i) {
-      const std::size_t at = Model::at(columns::velocity, i);
-      // Turns of 1e-3 are known to 6e-8: 6e-5 of them.
-      expect_vector(model.data(columns::velocity), at,
-                    model.data(columns::inverse_mass)[i] * seen.motion.force[i], 2e-4 * largest);
-      expect_vector(model.data(columns::angular_velocity), at,
-                    model.data(columns::inverse_inertia)[i] * seen.motion.moment[i],
-                    2e-4 * largest_spin);
-    }
-  }
-}
-
 TEST(HeatKernel, gives_the_rates_of_the_law) {
   Simulation simulation(thermal_setup(), jittered("bcc", {4, 3, 3}));
   Model& model = simulation.model();

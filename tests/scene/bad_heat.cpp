@@ -21,10 +21,6 @@ std::string with(const std::string& section) {
 
 const std::string disc = "shape = { kind = \"cylinder\", radius = \"4 mm\" }\n";
 
-const std::string mixed_beams =
-    "[beams]\nyoung_modulus = \"70 GPa\"\npoisson_ratio = 0.3\nradius_ratio = 0.3\n"
-    "precision = \"mixed\"\n";
-
 // name, scene, from, to, on the line of, fragments
 const BadScene bad[] = {
     {"negative_conductivity",
@@ -215,12 +211,6 @@ const BadScene bad[] = {
      with("[softening]\nmodulus_ratio = { temperature = [\"300 K\", \"800 K\"], value = [1, 0] }"),
      "modulus_ratio",
      {"modulus_ratio.value[1] = 0", "above 0"}},
-    {"softening_of_beams_in_single_precision",
-     heat,
-     "[run]",
-     with(mixed_beams + "[softening]\nmodulus_ratio = 0.5"),
-     "[softening]",
-     {"mixed precision", "precision = \"double\""}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Value, BadHeat, testing::ValuesIn(bad), row_name);

@@ -41,7 +41,8 @@ void move_beams(const BeamMotion& m, LimitedRows limited_rows, std::size_t first
           look_closely();
           continue;
         }
-        if (row + rows_ahead < end_row) prefetch(m, m.pose, slot.of(1) + rows_ahead * lanes);
+        if (row + rows_ahead < end_row)
+          prefetch_rows<8>(m.pose, m.neighbour + slot.of(1) + rows_ahead * lanes);
         const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
         const BondPack bond = load_bond(kind, m, slot, false, chord_to(m, slot, position, other),
                                         rotation, turned_back, orientation(other));
@@ -79,76 +80,6 @@ void move_beams(const BeamMotion& m, LimitedRows limited_rows, std::size_t first
   }
 }
 
-inline Vector3<FloatPack> half(const PackVector& v) {
-  return {FloatPack(v.x), FloatPack(v.y), FloatPack(v.z)};
-}
-
-inline Quaternion<FloatPack> half(const Quaternion<Pack>& q) {
-  return {FloatPack(q.w), half(q.v)};
-}
-
-inline PackVector whole(const Vector3<FloatPack>& v) {
-  return {v.x.whole(), v.y.whole(), v.z.whole()};
-}
-
-/// Elastic beams, all alike, whose law is evaluated in single precision: chords are taken, and
-/// loads summed and integrated, in double. Lengths are measured in elements' radii and loads in
-/// those of unit strain, so that no figure leaves the range of a float.
-inline void move_beams_in_single_precision(const BeamMotion& m, std::size_t first,
-                                           std::size_t last) {
-  const double unit = m.length_unit, per_unit = 1 / unit;
-  const double unit_force = m.rigidity.axial;
-  const BeamRigidity<FloatPack> rigidity{
-      FloatPack(1.0), FloatPack(m.rigidity.bending / (unit_force * unit * unit)),
-      FloatPack(m.rigidity.shear / (unit_force * unit * unit)),
-      FloatPack(m.rigidity.torsion / (unit_force * unit * unit))};
-  for (std::size_t block = first; block < last; ++block) {
-    for (int lane = 0; lane < lanes; lane += width) {
-      const std::size_t element = block * lanes + static_cast<std::size_t>(lane);
-      const Row own = Row::load(m.pose + 8 * element);
-      const PackVector position = centre(own);
-      const Quaternion<Pack> turned = orientation(own);
-      const Quaternion<FloatPack> half_turned = half(turned);
-      const Quaternion<FloatPack> turned_back = conjugate(half_turned);
-      const Rotation<FloatPack> rotation(half_turned);
-      PackVector force{}, moment{};
-      for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
-        const SlotPlace slot{row, static_cast<std::size_t>(lane)};
-        const Row other = Row::gather(m.pose, m.neighbour + slot.of(1));
-        PackVector chord = centre(other) - position;
-        if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
-        const Quaternion<FloatPack> other_turned = half(orientation(other));
-        const Vector3<FloatPack> direction = half(load_vector(m.rest_direction + slot.of(3)));
-        const BeamPose<FloatPack> pose{half(Pack(per_unit) * chord), rotate(rotation, direction),
-                                       rotate(other_turned, direction), other_turned * turned_back};
-        const FloatPack rest_length(Pack(per_unit) * Pack::load(m.rest_length + slot.of(1)));
-        BeamDeformation<FloatPack> deformation = beam_deformation(rest_length, pose);
-        // The one difference of nearly equal figures is taken in double.
-        const Pack length = sqrt(dot(chord, chord));
-        deformation.extension =
-            FloatPack(Pack(per_unit) * (length - Pack::load(m.rest_length + slot.of(1))));
-        const BeamLoad<FloatPack> load = beam_load(rigidity, pose, deformation);
-        force += whole(load.force);
-        moment += whole(load.moment_i);
-      }
-      const std::size_t at = 3 * block * lanes + static_cast<std::size_t>(lane);
-      const PackVector velocity =
-          load_vector(m.velocity + at) +
-          (Pack(m.kick * unit_force) * Pack::load(m.inverse_mass + element)) * force;
-      const PackVector spin =
-          load_vector(m.angular_velocity + at) +
-          (Pack(m.kick * unit_force * unit) * Pack::load(m.inverse_inertia + element)) * moment;
-      store_vector(velocity, m.velocity + at);
-      store_vector(spin, m.angular_velocity + at);
-      const PackVector moved = position + Pack(m.drift) * velocity;
-      const Quaternion<Pack> now = turn(turned, spin, Pack(m.drift));
-      const Row next{
-          {moved.x, moved.y, moved.z, own.component[3], now.w, now.v.x, now.v.y, now.v.z}};
-      next.store(m.next_pose + 8 * element);
-    }
-  }
-}
-
 using MoveBeams = void (*)(const BeamMotion&, LimitedRows, std::size_t first, std::size_t last);
 
 /// Every loop there is, by rotation, rigidity per bond and what is watched.
@@ -165,7 +96,6 @@ static_assert(sizeof beam_loops / sizeof(MoveBeams) <= 12,
               "loops of beams grow with what bonds are, not with the laws they yield and break by");
 
 inline void move_beams_by_kind(const BeamMotion& m, std::size_t first, std::size_t last) {
-  if (m.single_precision) return move_beams_in_single_precision(m, first, last);
   const MoveBeams move = beam_loops[m.has_rotation ? 1 : 0][m.bond_rigidity != nullptr ? 1 : 0]
                                    [static_cast<int>(m.watch)];
   move(m, limited_rows_of(m), first, last);

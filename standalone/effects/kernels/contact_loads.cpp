@@ -75,7 +75,7 @@ inline ContactPack contact_pack(const ContactColumns& c, const PickedPairs& at) 
   if (c.shift_x != nullptr)
     to += PackVector{gather(c.shift_x, at.number), gather(c.shift_y, at.number),
                      gather(c.shift_z, at.number)};
-  const Pack half(0.5), length = sqrt(dot(to, to) + Pack(tiny_square<Pack>));
+  const Pack half(0.5), length = sqrt(dot(to, to) + Pack(tiny_square));
   const PackVector normal = (Pack(1.0) / length) * to;
   const Pack overlap = gather(c.distance, at.number) - length;
   const MovingElement i(Row::gather(c.motion, at.i)), j(Row::gather(c.motion, at.j));

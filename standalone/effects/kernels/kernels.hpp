@@ -27,9 +27,7 @@ enum class Watch {
 /// Columns of bonded elements in motion, as the kernels read and write them.
 struct BeamMotion {
   Watch watch;
-  bool has_rotation;      ///< false: bonds are springs, elements have no orientation
-  bool single_precision;  ///< of the law: for elastic beams that are all alike
-  double length_unit;     ///< m, in which single precision measures
+  bool has_rotation;  ///< false: bonds are springs, elements have no orientation
   const std::uint32_t* first_row;
   const std::int32_t* neighbour;
   const double* pose;
@@ -103,11 +101,11 @@ struct CentralMotion {
 
   // Where neighbours change.
   const double* listed_position;  ///< null: they are fixed
-  double listed_margin;           ///< m, that an element may move until neighbours are sought anew
+  const double* listed_margin;    ///< m, that an element may move until neighbours are sought anew
 
   // Results.
   double compression_ratio = 0;  ///< the largest δ_eq/δ that was met
-  bool outran = false;           ///< an element has moved farther than the margin
+  bool outran = false;           ///< an element has moved farther than its margin
 };
 
 /// Columns of conducting elements.

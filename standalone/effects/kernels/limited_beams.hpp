@@ -219,8 +219,8 @@ template <class Law, FlowRule rule, class Kind>
   SlotLoad sum = so_far;
   for (bool goes_on = true; goes_on && slot.row < ends.block; ++slot.row) {
     if (slot.row + rows_ahead < ends.all) {
-      prefetch(m, m.pose, slot.of(1) + rows_ahead * lanes);
-      if (flows) prefetch(m, m.last_pose, slot.of(1) + rows_ahead * lanes);
+      prefetch_rows<8>(m.pose, m.neighbour + slot.of(1) + rows_ahead * lanes);
+      if (flows) prefetch_rows<8>(m.last_pose, m.neighbour + slot.of(1) + rows_ahead * lanes);
     }
     const LimitedBonds at = limited_bonds(kind, m, own, slot);
     const bool is_limited = any(limited(kind, m, slot, at.bond));

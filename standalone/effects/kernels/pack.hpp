@@ -8,6 +8,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -114,44 +115,6 @@ inline LengthAndInverses<Pack> length_and_inverses(const Pack& squared, const Pa
   return {length + (squared - length * length) * (Pack(0.5) * inverse), inverse, Pack(1.0) / other};
 }
 #endif
-
-/// `width` floats: half the bits, for laws that may do with them. Copied as a Pack is.
-typedef float HalfLanes __attribute__((vector_size(width * sizeof(float))));
-
-struct FloatPack {
-  HalfLanes v;
-
-  FloatPack() : v{} {}
-  FloatPack(double s) : v(static_cast<float>(s) - HalfLanes{}) {}  // NOLINT: as of a Pack
-  explicit FloatPack(HalfLanes lanes) : v(lanes) {}
-  FloatPack(const FloatPack& other) : v(other.v) {}
-  FloatPack& operator=(const FloatPack& other) {
-    v = other.v;
-    return *this;
-  }
-  explicit FloatPack(Pack whole) : v(__builtin_convertvector(whole.v, HalfLanes)) {}
-
-  Pack whole() const { return Pack(__builtin_convertvector(v, Lanes)); }
-
-  friend FloatPack operator+(FloatPack a, FloatPack b) { return FloatPack(a.v + b.v); }
-  friend FloatPack operator-(FloatPack a, FloatPack b) { return FloatPack(a.v - b.v); }
-  friend FloatPack operator*(FloatPack a, FloatPack b) { return FloatPack(a.v * b.v); }
-  friend FloatPack operator/(FloatPack a, FloatPack b) { return FloatPack(a.v / b.v); }
-  friend FloatPack operator-(FloatPack a) { return FloatPack(-a.v); }
-  FloatPack& operator+=(FloatPack b) { return *this = *this + b; }
-};
-
-inline FloatPack sqrt(FloatPack a) {
-#if defined(__AVX512F__)
-  return FloatPack(HalfLanes(_mm256_sqrt_ps(a.v)));
-#elif defined(__AVX__)
-  return FloatPack(HalfLanes(_mm_sqrt_ps(a.v)));
-#else
-  HalfLanes r = a.v;
-  for (int k = 0; k < width; ++k) r[k] = __builtin_sqrtf(a.v[k]);
-  return FloatPack(r);
-#endif
-}
 
 /// Yes or no in each lane.
 struct Mask {
@@ -433,8 +396,28 @@ struct Quad {
   }
 
   void store(double* rows) const {
-    for (int k = 0; k < 4; ++k)
-      for (int lane = 0; lane < width; ++lane) rows[4 * lane + k] = component[k].v[lane];
+#if defined(__AVX512F__)
+    const Lanes x = component[0].v, y = component[1].v, z = component[2].v, w = component[3].v;
+    const Lanes xy_even = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Lanes xy_odd = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Lanes zw_even = __builtin_shufflevector(z, w, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Lanes zw_odd = __builtin_shufflevector(z, w, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Lanes rows04 = __builtin_shufflevector(xy_even, zw_even, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Lanes rows26 = __builtin_shufflevector(xy_even, zw_even, 2, 3, 10, 11, 6, 7, 14, 15);
+    const Lanes rows15 = __builtin_shufflevector(xy_odd, zw_odd, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Lanes rows37 = __builtin_shufflevector(xy_odd, zw_odd, 2, 3, 10, 11, 6, 7, 14, 15);
+    Pack(__builtin_shufflevector(rows04, rows15, 0, 1, 2, 3, 8, 9, 10, 11)).store(rows);
+    Pack(__builtin_shufflevector(rows26, rows37, 0, 1, 2, 3, 8, 9, 10, 11)).store(rows + 8);
+    Pack(__builtin_shufflevector(rows04, rows15, 4, 5, 6, 7, 12, 13, 14, 15)).store(rows + 16);
+    Pack(__builtin_shufflevector(rows26, rows37, 4, 5, 6, 7, 12, 13, 14, 15)).store(rows + 24);
+#else
+    for (int part = 0; part < 4; part += width) {
+      Pack square[width];
+      for (int k = 0; k < width; ++k) square[k] = component[part + k];
+      transpose(square);
+      for (int k = 0; k < width; ++k) square[k].store(rows + 4 * k + part);
+    }
+#endif
   }
 };
 
@@ -478,13 +461,15 @@ struct Row {
   }
 };
 
+/// Far enough ahead for a neighbour's line to arrive, near enough to be still there.
+inline constexpr std::size_t rows_ahead = 2;
+
+/// Asks for the lines of rows that a pack will gather soon.
+template <int row_length>
+inline void prefetch_rows(const double* rows, const std::int32_t* index) {
+  for (int k = 0; k < width; ++k) __builtin_prefetch(rows + std::ptrdiff_t{row_length} * index[k]);
+}
+
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET
-
-namespace solidem {
-
-template <>
-inline constexpr double tiny_square<SOLIDEM_INSTRUCTION_SET::FloatPack> = 1e-36;
-
-}  // namespace solidem
 
 #endif

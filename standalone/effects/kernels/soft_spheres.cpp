@@ -19,33 +19,6 @@ inline Pack nearest(Pack d, Pack period) {
   return d + select(greater(-half, d), period, none);
 }
 
-/// Writes rows that follow one another.
-inline void store_rows(const Quad& quad, double* rows) {
-#if defined(__AVX512F__)
-  const Lanes x = quad.component[0].v, y = quad.component[1].v;
-  const Lanes z = quad.component[2].v, w = quad.component[3].v;
-  const Lanes xy_even = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
-  const Lanes xy_odd = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
-  const Lanes zw_even = __builtin_shufflevector(z, w, 0, 8, 2, 10, 4, 12, 6, 14);
-  const Lanes zw_odd = __builtin_shufflevector(z, w, 1, 9, 3, 11, 5, 13, 7, 15);
-  const Lanes rows04 = __builtin_shufflevector(xy_even, zw_even, 0, 1, 8, 9, 4, 5, 12, 13);
-  const Lanes rows26 = __builtin_shufflevector(xy_even, zw_even, 2, 3, 10, 11, 6, 7, 14, 15);
-  const Lanes rows15 = __builtin_shufflevector(xy_odd, zw_odd, 0, 1, 8, 9, 4, 5, 12, 13);
-  const Lanes rows37 = __builtin_shufflevector(xy_odd, zw_odd, 2, 3, 10, 11, 6, 7, 14, 15);
-  Pack(__builtin_shufflevector(rows04, rows15, 0, 1, 2, 3, 8, 9, 10, 11)).store(rows);
-  Pack(__builtin_shufflevector(rows26, rows37, 0, 1, 2, 3, 8, 9, 10, 11)).store(rows + 8);
-  Pack(__builtin_shufflevector(rows04, rows15, 4, 5, 6, 7, 12, 13, 14, 15)).store(rows + 16);
-  Pack(__builtin_shufflevector(rows26, rows37, 4, 5, 6, 7, 12, 13, 14, 15)).store(rows + 24);
-#else
-  for (int part = 0; part < 4; part += width) {
-    Pack square[width];
-    for (int k = 0; k < width; ++k) square[k] = quad.component[part + k];
-    transpose(square);
-    for (int k = 0; k < width; ++k) square[k].store(rows + 4 * k + part);
-  }
-#endif
-}
-
 template <bool periodic>
 void find_forces_of_blocks(const SoftSphereColumns& s, std::size_t first, std::size_t last) {
   const PackVector period{s.period.x, s.period.y, s.period.z};
@@ -120,7 +93,7 @@ double move_soft_spheres(const SoftSphereColumns& s, std::size_t first, std::siz
       ball.component[0] = centre.x;
       ball.component[1] = centre.y;
       ball.component[2] = centre.z;
-      store_rows(ball, s.ball + 4 * sphere);
+      ball.store(s.ball + 4 * sphere);
     }
   double farthest = 0;
   for (int k = 0; k < width; ++k) farthest = farthest2.v[k] > farthest ? farthest2.v[k] : farthest;
