@@ -38,6 +38,13 @@ struct Counted {
     ++operations().roots;
     return Counted(std::sqrt(a.value));
   }
+  // What compares and chooses is a mask, and free here as well.
+  friend constexpr bool greater(Counted a, Counted b) { return a.value > b.value; }
+  friend constexpr Counted select(bool condition, Counted a, Counted b) {
+    return condition ? a : b;
+  }
+  friend Counted abs(Counted a) { return Counted(std::abs(a.value)); }
+  Counted& operator+=(Counted b) { return *this = *this + b; }
 
  private:
   static Counted simple(double v) {

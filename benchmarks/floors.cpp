@@ -23,7 +23,12 @@
 #include <vector>
 
 #include "counted.hpp"
-#include "laws/beam.hpp"
+#include "effects/bond_state.hpp"
+#include "effects/kernels/kernels.hpp"
+#include "laws/bond_limit.hpp"
+#include "laws/central_interaction.hpp"
+#include "laws/linear_hardening.hpp"
+#include "laws/piecewise.hpp"
 
 namespace {
 
@@ -141,23 +146,91 @@ json told(const solidem::Operations& operations) {
           {"roots", operations.roots}};
 }
 
-/// Arithmetic of one side of an elastic beam: chord, pose, deformation, load, and its sum.
-json of_a_beam_slot() {
-  using Vector = solidem::Vector3<Counted>;
-  const auto vector = [](double x, double y, double z) {
-    return Vector{Counted(x), Counted(y), Counted(z)};
-  };
-  const solidem::Quaternion<Counted> turned{Counted(1), vector(0, 0, 0)};
-  const solidem::BeamRigidity<Counted> rigidity{Counted(1), Counted(1), Counted(1), Counted(1)};
-  Counted::operations() = {};
-  const Vector chord = vector(1, 0, 0) - vector(0, 0, 0);
-  const auto load =
-      beam_load(rigidity, Counted(1), beam_pose(chord, vector(1, 0, 0), turned, turned));
+using Vector = solidem::Vector3<Counted>;
+using Orientation = solidem::Quaternion<Counted>;
+
+Vector vector(double x, double y, double z) {
+  return {Counted(x), Counted(y), Counted(z)};
+}
+
+/// A slot whose columns are not there: any number does, as only what is done with it counts.
+struct AnySlot {
+  Counted number(const double*, int = 1, int = 0) const { return Counted(0.01); }
+  Vector vector(const double*) const { return ::vector(1, 0, 0); }
+};
+
+/// Sums the load of a bond up.
+void add(const solidem::BeamLoad<Counted>& load) {
   Vector force = vector(0, 0, 0), moment = vector(0, 0, 0);
   force += load.force;
   moment += load.moment_i;
-  const auto needed = Counted::operations();
+}
+
+/// Arithmetic of one side of a beam: chord, pose, deformation, load, and its sum.
+json of_a_beam_slot() {
+  const solidem::BeamMotion columns{};
+  const Orientation turned{Counted(1), vector(0, 0, 0)};
+  Counted::operations() = {};
+  const solidem::BondKind kind{true, false, false};
+  const auto bond = load_bond(kind, columns, AnySlot{}, false, vector(1, 0, 0) - vector(0, 0, 0),
+                              turned, turned, turned);
+  add(beam_load(bond.rigidity, bond.pose, bond.deformation));
+  return told(Counted::operations());
+}
+
+/// The same of one that flows by radial return and linear hardening: its shape, the flow, the
+/// deformation in the pose before, the work between both, what it remembers and up to where it is
+/// safe then.
+json of_a_flowing_slot() {
+  const solidem::BeamMotion columns{};
+  const Orientation turned{Counted(1), vector(0, 0, 0)};
+  const solidem::LinearHardening law{1e-4, 0.01};
+  const AnySlot slot;
+  Counted::operations() = {};
+  const solidem::BondKind kind{true, false, true};
+  auto bond = load_bond(kind, columns, slot, true, vector(1, 0, 0) - vector(0, 0, 0), turned,
+                        turned, turned);
+  bond.history.strain = slot.number(nullptr);
+  const solidem::YieldingBeam<Counted> beam{bond.rigidity, bond.rest_length, Counted(1),
+                                            Counted(0.4)};
+  const auto posed =
+      posed_beam(kind, columns, slot, solidem::FlowRule::radial_return, bond, turned, turned);
+  const auto curve = yield_curve(law, columns, slot, Counted(0), bond.history.strain);
+  const auto flow =
+      solidem::beam_flow<solidem::FlowRule::radial_return>(curve, beam, bond.history.strain, posed);
+  const Vector last_chord = rotate(turned, vector(1, 0, 0) - vector(0, 0, 0));
+  const auto last = last_modes(kind, bond, turned, last_chord, turned * turned);
+  const auto response = flowed_response(beam, bond.history, posed, flow, last);
+  add(response.load);
+  Counted work(0);
+  work += Counted(0.5) * response.plastic_work;
+  strain_before_flow(curve, solidem::FlowRule::radial_return, flow.strain);
+  solidem::Operations needed = Counted::operations();
+  // Of a response the loop leaves the energy out.
+  Counted::operations() = {};
+  beam_energy(beam.rigidity, flow.left.pose, flow.left.deformation);
+  needed.simple -= Counted::operations().simple;
   return told(needed);
+}
+
+/// Arithmetic of one side of a pair under the piecewise law.
+json of_a_central_slot(bool dissipates) {
+  const solidem::Piecewise law{1, 0.01};
+  Counted::operations() = {};
+  const Vector chord = vector(1, 0, 0) - vector(0, 0, 0);
+  const Counted square = dot(chord, chord), inverse = Counted(1) / sqrt(square);
+  const solidem::Separation<Counted> at{square * inverse, inverse, Counted(1)};
+  Counted push = law.force(at), dissipated(0);
+  at.compression_ratio();
+  if (dissipates) {
+    const Counted drag =
+        solidem::dissipative_force(Counted(1), chord, inverse, vector(1, 0, 0) - vector(0, 0, 0));
+    push += drag;
+    dissipated += drag * drag;
+  }
+  Vector force = vector(0, 0, 0);
+  force += (push * inverse) * chord;
+  return told(Counted::operations());
 }
 
 }  // namespace
@@ -172,6 +245,10 @@ int main(int count, char** words) {
       found["triad"][words[k]] = triad(threads, std::stoull(words[k]));
   }
   // Of a conductor: the difference of two temperatures, times a conductance, added.
-  report["slot"] = {{"beams", of_a_beam_slot()}, {"conduction", told({3, 0, 0})}};
+  report["slot"] = {{"beams", of_a_beam_slot()},
+                    {"beams_flowing", of_a_flowing_slot()},
+                    {"central_fixed", of_a_central_slot(false)},
+                    {"central_changing", of_a_central_slot(true)},
+                    {"conduction", told({3, 0, 0})}};
   std::cout << report.dump(2) << "\n";
 }

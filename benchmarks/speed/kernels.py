@@ -29,9 +29,11 @@ from compare.codes.standalone import Standalone
 from .document import HERE, processor
 
 FLOORS = Path(__file__).resolve().parents[2] / "build" / "release" / "benchmarks" / "bench_floors"
-#: Bond-steps of a measurement, and effects whose law's arithmetic bench_floors counts.
+#: Bond-steps of a measurement, and whose arithmetic, as bench_floors counts it, an effect does at least.
 BOND_STEPS = 1e7
-ARITHMETIC = {"beams": "beams", "conduction": "conduction"}
+ARITHMETIC = {"beams": "beams", "beams_below_limits": "beams", "beams_flowing": "beams_flowing",
+              "conduction": "conduction", "central_fixed": "central_fixed",
+              "central_changing": "central_changing"}
 EFFECTS = ("beams", "beams_below_limits", "beams_flowing", "conduction", "central_fixed", "central_changing")
 #: Steps in which what the scene's title says stays true.
 MOST_STEPS = {"beams_below_limits": 4000, "beams_flowing": 600, "central_changing": 20000}
@@ -59,7 +61,7 @@ class Measurement:
     threads: int
     repetition: int
     nanoseconds: float
-    arithmetic_floor: float  #: 0 where none is counted
+    arithmetic_floor: float
     bytes_floor: float
 
 
@@ -91,8 +93,6 @@ def floors(sizes: list[int]) -> dict[str, Any]:
 
 def arithmetic_floor(told: dict[str, Any], of: Body, instruction_set: str, threads: int) -> float:
     """ns for a step and a bond, of both its sides; fused two by two, as if all could be."""
-    if of.effect not in ARITHMETIC:
-        return 0.0
     needed = told["slot"][ARITHMETIC[of.effect]]
     rate = told["threads"][str(threads)]["arithmetic"][instruction_set]
     fused = needed["simple"] / 2 / rate["fused"]
@@ -148,7 +148,7 @@ def table(measurements: list[Measurement]) -> str:
         arithmetic, moved = (statistics.median(getattr(m, f) for m in own)
                              for f in ("arithmetic_floor", "bytes_floor"))
         far = statistics.median(m.nanoseconds / max(m.arithmetic_floor, m.bytes_floor) for m in own)
-        told = f"{arithmetic:.1f}, {moved:.1f}" if arithmetic else f"–, {moved:.1f}"
+        told = f"{arithmetic:.1f}, {moved:.1f}"
         elastic = ratio(own, effect="beams") if key[0].startswith("beams_") else ""
         lines.append(f"| {key[0]} | {key[1]} | {NAMES[key[2]]} | {key[3]} | {statistics.median(times):.2f} | "
                      f"{min(times):.2f} – {max(times):.2f} | {told} | {far:.1f} | "

@@ -20,9 +20,6 @@ namespace solidem {
 
 namespace {
 
-constexpr double default_skin = 0.1;  // mean radii
-constexpr double search_cost = 25;    // steps that take as long as a search, without a skin
-
 Vector row_vector(const double* row) {
   return {row[0], row[1], row[2]};
 }
@@ -42,7 +39,8 @@ std::vector<const Column*> CentralForces::columns(const CentralForceParameters& 
   std::vector<const Column*> asked = {&columns::position, &columns::velocity,
                                       &columns::inverse_mass};
   if (are_remembered(parameters)) asked.push_back(&columns::rest_length);
-  if (change(parameters)) asked.push_back(&columns::listed_position);
+  if (change(parameters))
+    asked.insert(asked.end(), {&columns::listed_position, &columns::listed_margin});
   if (parameters.dissipation)
     asked.insert(asked.end(), {&columns::velocity_for_neighbours, &columns::dissipated_energy});
   if (cracks) asked.push_back(&columns::barycentre);
@@ -52,9 +50,8 @@ std::vector<const Column*> CentralForces::columns(const CentralForceParameters& 
 
 CentralForces::CentralForces(const CentralForceParameters& parameters,
                              const std::vector<double>& mass, Model& model)
-    : parameters_(parameters), model_(model) {
+    : parameters_(parameters), model_(model), neighbours_(parameters_, model) {
   const Specimen& specimen = model.specimen();
-  if (change(parameters_)) skin_ = parameters_.skin.value_or(default_skin) * mean_radius(specimen);
   double* buffers[] = {model.data(columns::position), model.next(columns::position)};
   double* inverse_mass = model.data(columns::inverse_mass);
   for (std::size_t i = 0; i < specimen.size(); ++i) {
@@ -66,29 +63,15 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
     inverse_mass[i] = 1 / mass[i];
   }
 
-  // A margin for crystals, as bonds have it.
-  const double reach = (1 + parameters_.bond_tolerance) * (1 + 1e-12);
-  initial_ = find_neighbours(specimen.domain, specimen.position, specimen.radius, reach, 0);
+  const Neighbourhood& initial = neighbours_.initial();
   smallest_stiffness_ = std::numeric_limits<double>::infinity();
   double largest_stiffness = 0, largest_deep_stiffness = 0;  // at the start, at the deepest overlap
   for (std::size_t i = 0; i < specimen.size(); ++i)
-    for (std::size_t k = initial_.first[i]; k < initial_.first[i + 1]; ++k) {
-      const auto j = static_cast<std::size_t>(initial_.neighbour[k]);
-      // Both sides take the chord from the lower to the higher element.
-      const std::size_t a = std::min(i, j), b = std::max(i, j);
-      Vector chord = specimen.position[b] - specimen.position[a];
-      if (!initial_.image.empty()) {
-        const Vector shift = image_shift(specimen.domain, initial_.image[k]);
-        chord += i < j ? shift : -shift;
-      }
-      const double distance = norm(chord), radii = specimen.radius[i] + specimen.radius[j];
-      if (!(distance > 1e-9 * radii))
-        throw InputError("[central_forces] elements " + std::to_string(a) + " and " +
-                         std::to_string(b) +
-                         " stand at one place, so that no force between them has a direction; "
-                         "expected a specimen whose elements stand apart");
-      const double equilibrium = are_remembered(parameters_) ? distance : radii;
-      initial_distance_.push_back(equilibrium);
+    for (std::size_t k = initial.first[i]; k < initial.first[i + 1]; ++k) {
+      const auto j = static_cast<std::size_t>(initial.neighbour[k]);
+      const double distance = norm(neighbours_.initial_chord(i, k));
+      const double radii = specimen.radius[i] + specimen.radius[j];
+      const double equilibrium = neighbours_.rest_length(k);
       std::visit(
           [&](const auto& law) {
             const double fraction = parameters_.interpenetration;
@@ -106,15 +89,11 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
           },
           parameters_.law);
     }
-  if (!initial_distance_.empty()) mean_stiffness_ /= static_cast<double>(initial_distance_.size());
+  if (const std::size_t entries = neighbours_.initial_entries())
+    mean_stiffness_ /= static_cast<double>(entries);
   if (largest_stiffness > 0)
     stiffening_ = std::max(1.0, largest_deep_stiffness / largest_stiffness);
-  if (model.has(columns::listed_position))
-    for (std::size_t i = 0; i < specimen.size(); ++i)
-      set_lanes_vector(model.data(columns::listed_position), Model::at(columns::listed_position, i),
-                       specimen.position[i]);
   if (specimen.domain.is_periodic()) count_own_images();
-  fill_slots();
 }
 
 void CentralForces::count_own_images() {
@@ -158,99 +137,8 @@ void CentralForces::for_each_own_image(const OwnImageVisit& visit) const {
       }
 }
 
-void CentralForces::fill_slots() {
-  const Specimen& specimen = model_.specimen();
-  Neighbourhood found;
-  if (change(parameters_)) {
-    std::vector<Vector> position(specimen.size());
-    const double* listed = model_.data(columns::listed_position);
-    for (std::size_t i = 0; i < position.size(); ++i)
-      position[i] = lanes_vector(listed, Model::at(columns::listed_position, i));
-    found = find_neighbours(specimen.domain, position, specimen.radius, parameters_.range, skin_,
-                            absent_, kernels().pick_near);
-  }
-  const Neighbourhood& lists = change(parameters_) ? found : initial_;
-  model_.replace_slots(Slots(lists.first, lists.neighbour, initial_.neighbour.size() / 2));
-  ++searches_;
-  double* rest_length =
-      model_.has(columns::rest_length) ? model_.data(columns::rest_length) : nullptr;
-  double* shift = model_.has(columns::image_shift) ? model_.data(columns::image_shift) : nullptr;
-  const std::uint32_t* first_row = model_.slots().first_row();
-  if (rest_length != nullptr)
-    std::fill(rest_length, rest_length + model_.size(columns::rest_length), 1.0);
-  const auto lay_out = [&](std::size_t i) {
-    const int lane = static_cast<int>(i % lanes);
-    std::size_t known = initial_.first[i];
-    for (std::size_t k = lists.first[i]; k < lists.first[i + 1]; ++k) {
-      const std::size_t row = first_row[i / lanes] + (k - lists.first[i]);
-      const std::int32_t j = lists.neighbour[k];
-      const Image image = lists.image.empty() ? Image{} : lists.image[k];
-      if (shift != nullptr)
-        set_lanes_vector(shift, Model::at_slot(columns::image_shift, row, lane),
-                         image_shift(specimen.domain, image));
-      if (rest_length == nullptr) continue;
-      // Both lists go in the same order.
-      const auto is_before = [&](std::size_t entry) {
-        const std::int32_t other = initial_.neighbour[entry];
-        return other != j ? other < j : !initial_.image.empty() && initial_.image[entry] < image;
-      };
-      while (known < initial_.first[i + 1] && is_before(known)) ++known;
-      const bool is_known = known < initial_.first[i + 1] && initial_.neighbour[known] == j &&
-                            (initial_.image.empty() || initial_.image[known] == image);
-      rest_length[Model::at_slot(columns::rest_length, row, lane)] =
-          is_known ? initial_distance_[known]
-                   : specimen.radius[i] + specimen.radius[static_cast<std::size_t>(j)];
-    }
-  };
-  for_blocks(specimen.size(), 5000, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) lay_out(i);
-  });
-}
-
-void CentralForces::search() {
-  if (!parameters_.skin) choose_skin();
-  steps_since_ = 0;
-  const double* positions = model_.data(columns::position);
-  double* listed = model_.data(columns::listed_position);
-  for (std::size_t i = 0; i < model_.elements(); ++i) {
-    const Vector place = row_vector(positions + 4 * i);
-    if (!std::isfinite(place.x + place.y + place.z))
-      throw RunError("the run diverged: element " + std::to_string(i) +
-                     " stands at no finite place any more");
-    set_lanes_vector(listed, Model::at(columns::listed_position, i), place);
-  }
-  fill_slots();
-}
-
-void CentralForces::choose_skin() {
-  // Lists grow with the volume they hold, and last as long as the fastest element takes for half
-  // the skin. Counted, never timed: runs are alike on every machine, and whatever the skin, results
-  // are the same bits.
-  const double radius = mean_radius(model_.specimen());
-  const double step = 0.5 * skin_ / static_cast<double>(std::max<std::int64_t>(1, steps_since_));
-  const auto cost = [&](double skin) {
-    const double size = 1 + skin / (2 * parameters_.range * radius);
-    return size * size * size * (1 + search_cost / std::max(1.0, 0.5 * skin / step));
-  };
-  double best = skin_;
-  for (const double fraction : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0})
-    if (cost(fraction * radius) < cost(best)) best = fraction * radius;
-  skin_ = best;
-}
-
 void CentralForces::keep_neighbours() {
-  if (!change(parameters_)) return;
-  bool moved = list_outdated_;
-  const std::vector<std::int32_t>& driven = model_.driven();
-  const double* positions = model_.data(columns::position);
-  const double* listed = model_.data(columns::listed_position);
-  for (std::size_t k = 0; k < driven.size() && !moved; ++k) {
-    const auto i = static_cast<std::size_t>(driven[k]);
-    const Vector away = row_vector(positions + 4 * i) -
-                        lanes_vector(listed, Model::at(columns::listed_position, i));
-    moved = !(dot(away, away) <= 0.25 * skin_ * skin_);
-  }
-  if (moved) search();
+  neighbours_.keep(list_outdated_);
   list_outdated_ = false;
 }
 
@@ -284,13 +172,13 @@ CentralMotion CentralForces::motion(Model& model) const {
   motion.barycentre = where(columns::barycentre);
   motion.neighbours_at_start = where(columns::neighbours_at_start);
   motion.listed_position = where(columns::listed_position);
-  motion.listed_margin = 0.5 * skin_;
+  motion.listed_margin = where(columns::listed_margin);
   return motion;
 }
 
 void CentralForces::advance(Model& model, const Step& step) {
   keep_neighbours();
-  ++steps_since_;
+  neighbours_.count_step(step.time_step);
   CentralMotion common = motion(model);
   common.kick = step.kick;
   common.drift = step.time_step;
@@ -335,39 +223,6 @@ std::vector<int> CentralForces::neighbours_within_range() const {
   return count;
 }
 
-void CentralForces::exclude(std::int32_t element) {
-  if (absent_.empty()) absent_.assign(model_.elements(), 0);
-  absent_[static_cast<std::size_t>(element)] = 1;
-  Slots& slots = model_.slots();
-  const auto block = static_cast<std::size_t>(element / lanes);
-  for (std::size_t row = slots.first_row()[block]; row < slots.first_row()[block + 1]; ++row) {
-    const Slots::Place here{row, element % lanes};
-    const std::int32_t other = slots.neighbour_of(here);
-    if (other == element) continue;
-    while (const auto there = slots.find(other, element)) {
-      // An empty slot must not reach an image of its own element.
-      slots.set_neighbour(*there, other);
-      if (model_.has(columns::image_shift))
-        set_lanes_vector(model_.data(columns::image_shift),
-                         Model::at_slot(columns::image_shift, there->row, there->lane), {});
-    }
-    slots.set_neighbour(here, element);
-    if (model_.has(columns::image_shift))
-      set_lanes_vector(model_.data(columns::image_shift),
-                       Model::at_slot(columns::image_shift, here.row, here.lane), {});
-  }
-}
-
-std::vector<Pair> CentralForces::initial_pairs() const {
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < model_.elements(); ++i)
-    for (std::size_t k = initial_.first[i]; k < initial_.first[i + 1]; ++k)
-      if (const Pair pair{static_cast<std::int32_t>(i), initial_.neighbour[k]};
-          pair.i < pair.j && (pairs.empty() || !(pairs.back() == pair)))
-        pairs.push_back(pair);
-  return pairs;
-}
-
 double CentralForces::largest_interpenetration() const {
   return compression_ratio_ > 0 ? 1 - 1 / compression_ratio_
                                 : -std::numeric_limits<double>::infinity();
@@ -375,12 +230,13 @@ double CentralForces::largest_interpenetration() const {
 
 std::vector<TimeStepCriterion> CentralForces::time_step_criteria(const Model& model) const {
   const double* inverse_mass = model.data(columns::inverse_mass);
+  const Neighbourhood& initial = neighbours_.initial();
   double squared_frequency = 0;
   for (std::size_t i = 0; i < model.elements(); ++i)
-    for (std::size_t k = initial_.first[i]; k < initial_.first[i + 1]; ++k)
+    for (std::size_t k = initial.first[i]; k < initial.first[i + 1]; ++k)
       std::visit(
           [&](const auto& law) {
-            const double equilibrium = initial_distance_[k];
+            const double equilibrium = neighbours_.rest_length(k);
             const double nearest = (1 - parameters_.interpenetration) * equilibrium;
             const double stiffness = std::max(bare_force(law, equilibrium, equilibrium).stiffness,
                                               bare_force(law, nearest, equilibrium).stiffness);
@@ -457,7 +313,7 @@ void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) co
   });
   if (own_images_.empty()) return;
   for_each_own_image([&](std::size_t i, const Vector& chord, double equilibrium) {
-    if (!absent_.empty() && absent_[i] != 0) return;
+    if (neighbours_.is_absent(i)) return;
     const double distance = norm(chord);
     const double push = std::visit(
         [&](const auto& law) {
@@ -496,7 +352,7 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
     interactions += pairs[i];
   }
   for (std::size_t i = 0; i < own_images_.size(); ++i) {
-    if (!absent_.empty() && absent_[i] != 0) continue;
+    if (neighbours_.is_absent(i)) continue;
     potential += own_images_[i].potential;
     interactions += own_images_[i].pairs;
   }
@@ -542,18 +398,8 @@ void CentralForces::show(const Model& /*model*/, Frame& frame) const {
 }
 
 void CentralForces::state(Archive& archive) {
-  std::vector<std::int32_t> gone;
-  for (std::size_t i = 0; i < absent_.size(); ++i)
-    if (absent_[i] != 0) gone.push_back(static_cast<std::int32_t>(i));
-  archive(compression_ratio_, list_outdated_, searches_, steps_since_, skin_, gone);
-  if (!archive.is_reading()) return;
-  // Neighbours as they were listed then: in the columns of positions, which are restored by now.
-  const std::size_t searches = searches_;
-  absent_.clear();
-  if (!gone.empty()) absent_.assign(model_.elements(), 0);
-  fill_slots();
-  for (const std::int32_t element : gone) exclude(element);
-  searches_ = searches;
+  archive(compression_ratio_, list_outdated_);
+  neighbours_.state(archive);
 }
 
 }  // namespace solidem

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "effects/central_force_parameters.hpp"
+#include "effects/central_neighbours.hpp"
 #include "effects/kernels/kernels.hpp"
 #include "effects/mechanics.hpp"
-#include "neighbours/neighbourhood.hpp"
 
 namespace solidem {
 
@@ -61,10 +61,10 @@ class CentralForces : public Mechanics {
   std::vector<int> neighbours_within_range() const;
 
   /// Takes an element out: it has no neighbours any more.
-  void exclude(std::int32_t element);
+  void exclude(std::int32_t element) { neighbours_.exclude(element); }
 
   /// The pairs that were neighbours at the start.
-  std::vector<Pair> initial_pairs() const;
+  std::vector<Pair> initial_pairs() const { return neighbours_.initial_pairs(); }
 
   /// Deepest overlap that was met, as a fraction of the equilibrium distance; below 0: none.
   double largest_interpenetration() const;
@@ -74,7 +74,7 @@ class CentralForces : public Mechanics {
     return stiffens_ && largest_interpenetration() > parameters_.interpenetration;
   }
   /// How often neighbours were sought.
-  std::size_t searches() const { return searches_; }
+  std::size_t searches() const { return neighbours_.searches(); }
 
  private:
   /// A pair within range.
@@ -98,29 +98,19 @@ class CentralForces : public Mechanics {
   /// within the range.
   using OwnImageVisit = std::function<void(std::size_t, const Vector&, double)>;
   void for_each_own_image(const OwnImageVisit& visit) const;
-  /// Lays out the slots for the elements as they were listed.
-  void fill_slots();
-  void search();
-  /// Chooses the skin that makes steps and searches together cheapest.
-  void choose_skin();
   CentralMotion motion(Model& model) const;
 
   CentralForceParameters parameters_;
   Model& model_;
-  Neighbourhood initial_;                 ///< at the start, where distances are remembered
-  std::vector<double> initial_distance_;  ///< of its entries, m
-  std::vector<OwnImages> own_images_;     ///< of each element; empty where nothing is periodic
-  std::vector<char> absent_;              ///< elements taken out; empty: none
-  double skin_ = 0;                       ///< m
-  double depth_ = 0;                      ///< of the deepest well at the start, J
-  double stiffening_ = 1;          ///< stiffness at the deepest overlap over that at the start
-  bool stiffens_ = false;          ///< whether the law is stiffer there than at rest
-  double mean_stiffness_ = 0;      ///< at the equilibrium, of the pairs of the start, N/m
-  double smallest_stiffness_ = 0;  ///< at the equilibrium, N/m
-  double compression_ratio_ = 0;   ///< the largest δ_eq/δ met
-  bool list_outdated_ = false;
-  std::size_t searches_ = 0;
-  std::int64_t steps_since_ = 0;  ///< the last search
+  CentralNeighbours neighbours_;
+  std::vector<OwnImages> own_images_;  ///< of each element; empty where nothing is periodic
+  double depth_ = 0;                   ///< of the deepest well at the start, J
+  double stiffening_ = 1;              ///< stiffness at the deepest overlap over that at the start
+  bool stiffens_ = false;              ///< whether the law is stiffer there than at rest
+  double mean_stiffness_ = 0;          ///< at the equilibrium, of the pairs of the start, N/m
+  double smallest_stiffness_ = 0;      ///< at the equilibrium, N/m
+  double compression_ratio_ = 0;       ///< the largest δ_eq/δ met
+  bool list_outdated_ = false;         ///< by the last step
 };
 
 }  // namespace solidem

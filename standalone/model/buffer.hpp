@@ -26,7 +26,35 @@ template <class T>
 class Buffer {
  public:
   Buffer() = default;
-  explicit Buffer(std::size_t size) : size_(size) {
+  explicit Buffer(std::size_t size) { assign(size); }
+
+  /// So many zeros, in the memory that is there if it is large enough.
+  void assign(std::size_t size) {
+    if (!memory_)
+      allocate(size);
+    else if (size > room_ || size < room_ / 2)
+      allocate(size + size / 16);  // lists that change grow and shrink
+    else
+      fill_with_zeros(reinterpret_cast<char*>(data_), size * sizeof(T));
+    size_ = size;
+  }
+
+  T* data() { return data_; }
+  const T* data() const { return data_; }
+  std::size_t size() const { return size_; }
+  T& operator[](std::size_t k) { return data_[k]; }
+  const T& operator[](std::size_t k) const { return data_[k]; }
+  T* begin() { return data_; }
+  T* end() { return data_ + size_; }
+  const T* begin() const { return data_; }
+  const T* end() const { return data_ + size_; }
+
+ private:
+  static constexpr std::size_t line = 64, huge_page = std::size_t{1} << 21;
+  struct Free {
+    void operator()(char* memory) const { std::free(memory); }
+  };
+  void allocate(std::size_t size) {
     static std::size_t stagger = 0;
     const std::size_t bytes = size * sizeof(T);
     const bool large = bytes >= huge_page;
@@ -40,44 +68,12 @@ class Buffer {
 #endif
     fill_with_zeros(memory_.get(), offset + bytes);
     data_ = reinterpret_cast<T*>(memory_.get() + offset);
+    room_ = size;
   }
 
-  T* data() {
-    return data_;
-  }
-  const T* data() const {
-    return data_;
-  }
-  std::size_t size() const {
-    return size_;
-  }
-  T& operator[](std::size_t k) {
-    return data_[k];
-  }
-  const T& operator[](std::size_t k) const {
-    return data_[k];
-  }
-  T* begin() {
-    return data_;
-  }
-  T* end() {
-    return data_ + size_;
-  }
-  const T* begin() const {
-    return data_;
-  }
-  const T* end() const {
-    return data_ + size_;
-  }
-
- private:
-  static constexpr std::size_t line = 64, huge_page = std::size_t{1} << 21;
-  struct Free {
-    void operator()(char* memory) const { std::free(memory); }
-  };
   std::unique_ptr<char, Free> memory_;
   T* data_ = nullptr;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, room_ = 0;
 };
 
 }  // namespace solidem

@@ -249,6 +249,14 @@ inline constexpr Column listed_position{"listed_position",
                                         true,
                                         "m",
                                         "where the element stood when neighbours were sought"};
+inline constexpr Column listed_margin{"listed_margin",
+                                      Site::element,
+                                      Layout::lanes,
+                                      1,
+                                      1,
+                                      true,
+                                      "m",
+                                      "how far it may move until they are sought anew"};
 inline constexpr Column temperature{"temperature", Site::element, Layout::lanes,   1, 2,
                                     true,          "K",           "of the element"};
 inline constexpr Column inverse_heat_capacity{

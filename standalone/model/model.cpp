@@ -41,17 +41,18 @@ void Model::add(const Column& column) {
   storage_.push_back(std::move(storage));
 }
 
-void Model::replace(PairTable& table, Slots slots) {
-  table.slots = std::move(slots);
+void Model::lay_out_columns(PairTable& table) {
   ++table.version;
   for (Storage& storage : storage_)
     if (storage.column->site == table.site)
       for (int b = 0; b < storage.column->buffers; ++b)
-        storage.buffer[b] = Buffer<double>(size(*storage.column));
+        storage.buffer[b].assign(size(*storage.column));
 }
 
-void Model::replace_slots(Slots slots) {
-  replace(bonds_, std::move(slots));
+void Model::replace_slots(const std::vector<std::uint32_t>& first,
+                          const std::vector<std::int32_t>& neighbours, std::size_t bonds) {
+  bonds_.slots.list(first, neighbours, bonds);
+  lay_out_columns(bonds_);
 }
 
 PairTable& Model::own_conductors() {
@@ -60,7 +61,8 @@ PairTable& Model::own_conductors() {
 }
 
 void Model::replace_conductors(const std::vector<Pair>& pairs) {
-  replace(own_conductors(), Slots(elements(), pairs));
+  own_conductors().slots = Slots(elements(), pairs);
+  lay_out_columns(own_conductors());
   assert(conductors().is_symmetric());
 }
 

@@ -31,7 +31,9 @@ class Model {
   /// `break_bond` and `make_bond`.
   Slots& slots() { return bonds_.slots; }
   /// Other neighbours in the place of those before; columns of slots are laid out anew, zeroed.
-  void replace_slots(Slots slots);
+  /// Lists as of Slots::list.
+  void replace_slots(const std::vector<std::uint32_t>& first,
+                     const std::vector<std::int32_t>& neighbours, std::size_t bonds);
 
   /// Empties both slots of a bond and logs that it broke. `length`: at rest, m. Their columns stay.
   void break_bond(Pair pair, double length);
@@ -140,7 +142,8 @@ class Model {
   /// Throws std::logic_error where they are the bonds.
   PairTable& own_conductors();
   /// Other slots of a table; its columns are laid out anew, zeroed.
-  void replace(PairTable& table, Slots slots);
+  /// Columns of a table that was laid out anew.
+  void lay_out_columns(PairTable& table);
 
   Specimen specimen_;
   PairTable bonds_;

@@ -29,9 +29,10 @@ Slots::Slots(std::size_t elements, const std::vector<Pair>& bonds)
   for (const Pair& bond : bonds) put(bond.i, bond.j);
 }
 
-Slots::Slots(const std::vector<std::uint32_t>& first, const std::vector<std::int32_t>& neighbours,
-             std::size_t bonds)
-    : elements_(first.size() - 1), bonds_(bonds) {
+void Slots::list(const std::vector<std::uint32_t>& first,
+                 const std::vector<std::int32_t>& neighbours, std::size_t bonds) {
+  elements_ = first.size() - 1;
+  bonds_ = bonds;
   std::vector<std::uint32_t> used((elements_ + lanes - 1) / lanes * lanes, 0);
   for (std::size_t i = 0; i < elements_; ++i) used[i] = first[i + 1] - first[i];
   lay_out(used);
@@ -49,7 +50,7 @@ void Slots::lay_out(const std::vector<std::uint32_t>& used) {
     const auto first = used.begin() + static_cast<std::ptrdiff_t>(b * lanes);
     first_row_[b + 1] = first_row_[b] + *std::max_element(first, first + lanes);
   }
-  neighbour_ = Buffer<std::int32_t>(std::size_t{first_row_.back()} * lanes);
+  neighbour_.assign(std::size_t{first_row_.back()} * lanes);
   for (std::size_t b = 0; b < blocks; ++b)
     for (std::size_t k = first_row_[b] * std::size_t{lanes};
          k < first_row_[b + 1] * std::size_t{lanes}; ++k)

@@ -23,11 +23,12 @@ class Slots {
  public:
   Slots() = default;
   Slots(std::size_t elements, const std::vector<Pair>& bonds);
-  /// Of lists that see each neighbour from both sides: those of element i stand from first[i] to
-  /// first[i + 1], one beyond the last, and keep their order. A neighbour may stand several times,
-  /// as several images. `bonds`: what bonds() tells.
-  Slots(const std::vector<std::uint32_t>& first, const std::vector<std::int32_t>& neighbours,
-        std::size_t bonds);
+
+  /// Holds lists that see each neighbour from both sides in the place of what was there: those of
+  /// element i stand from first[i] to first[i + 1], one beyond the last, and keep their order. A
+  /// neighbour may stand several times, as several images. `bonds`: what bonds() tells.
+  void list(const std::vector<std::uint32_t>& first, const std::vector<std::int32_t>& neighbours,
+            std::size_t bonds);
 
   std::size_t elements() const { return elements_; }
   /// Bonds at the start.

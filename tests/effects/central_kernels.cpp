@@ -250,7 +250,8 @@ TEST(CentralKernel, tells_when_an_element_has_left_its_listed_place) {
       motion.rest_length = model.data(columns::rest_length);
       motion.range = 1.5;
       motion.listed_position = model.data(columns::listed_position);
-      motion.listed_margin = 1e-5;
+      std::fill_n(model.data(columns::listed_margin), model.elements(), 1e-5);
+      motion.listed_margin = model.data(columns::listed_margin);
       motion.drift = 1e-7;
       // One that stands in the last block, beside lanes that hold no element.
       set_velocity(simulation, model.elements() - 1, {0, fraction * 100, 0});

@@ -301,7 +301,8 @@ TEST(CentralForcesPlan, asks_no_column_that_the_scene_does_not_name) {
   EXPECT_EQ(columns_of(bare), least);
   EXPECT_EQ(columns_of(bare, true), with({"image_shift"}));
   EXPECT_EQ(columns_of(replaced(bare, "\"radii\"", "\"initial\"")), with({"rest_length"}));
-  EXPECT_EQ(columns_of(replaced(bare, "\"fixed\"", "\"changing\"")), with({"listed_position"}));
+  EXPECT_EQ(columns_of(replaced(bare, "\"fixed\"", "\"changing\"")),
+            with({"listed_position", "listed_margin"}));
   EXPECT_EQ(columns_of(replaced(bare, range, range + "dissipation = \"1 N s/m\"\n")),
             with({"velocity_for_neighbours", "dissipated_energy"}));
   EXPECT_EQ(columns_of(replaced(bare, "[run]", "[damage]\ncrack_threshold = 0.4\n[run]")),

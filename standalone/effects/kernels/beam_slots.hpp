@@ -119,15 +119,6 @@ inline PackVector chord_to(const BeamMotion& m, const SlotPlace& slot, const Pac
   return chord;
 }
 
-/// Far enough ahead for a neighbour's line to arrive, near enough to be still there.
-inline constexpr std::size_t rows_ahead = 2;
-
-/// Asks for the lines of the neighbours of a row.
-inline void prefetch(const BeamMotion& m, const double* poses, std::size_t slot) {
-  for (int k = 0; k < width; ++k)
-    __builtin_prefetch(poses + std::ptrdiff_t{8} * m.neighbour[slot + static_cast<std::size_t>(k)]);
-}
-
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET
 
 #endif

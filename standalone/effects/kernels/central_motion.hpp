@@ -72,6 +72,14 @@ struct Pull {
     dissipated = {};
   }
 
+  /// Asks for what add() will gather.
+  void prefetch(std::size_t row) const {
+    const std::int32_t* neighbours = m.neighbour + row * lanes + offset;
+    prefetch_rows<4>(m.position, neighbours);
+    if constexpr (dissipates) prefetch_rows<4>(m.velocity_for_neighbours, neighbours);
+    if constexpr (cracks) prefetch_rows<4>(m.barycentre, neighbours);
+  }
+
   void add(std::size_t row) {
     const Pack none(0.0);
     const std::size_t slot = row * lanes + offset;
@@ -104,17 +112,21 @@ struct Pull {
 };
 
 template <class Law, bool dissipates, bool cracks>
-void move_by(const Law& law, CentralMotion& m, std::size_t first, std::size_t last) {
-  const Pack margin(m.listed_margin * m.listed_margin);
+void move_by(const Law& law_of_all, CentralMotion& m, std::size_t first, std::size_t last) {
+  const Law law = law_of_all;  // which no store may change
   const CentralMotion columns = m;
   Pull<Law, dissipates, cracks> pull{law, columns, 0, Pack(m.compression_ratio)};
+  const std::size_t end_row = m.first_row[last];
   bool outran = m.outran;
   for (std::size_t block = first; block < last; ++block) {
     for (int lane = 0; lane < lanes; lane += width) {
       const auto offset = static_cast<std::size_t>(lane);
       const std::size_t element = block * lanes + offset;
       pull.begin(element, offset);
-      for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) pull.add(row);
+      for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
+        if (row + rows_ahead < end_row) pull.prefetch(row + rows_ahead);
+        pull.add(row);
+      }
       const std::size_t at = 3 * block * lanes + offset;
       const PackVector velocity =
           load_vector(m.velocity + at) +
@@ -132,7 +144,8 @@ void move_by(const Law& law, CentralMotion& m, std::size_t first, std::size_t la
       }
       if (m.listed_position != nullptr) {
         const PackVector away = moved - load_vector(m.listed_position + at);
-        if (any(greater(dot(away, away), margin))) outran = true;
+        const Pack margin = Pack::load(m.listed_margin + element);
+        if (any(greater(dot(away, away), margin * margin))) outran = true;
       }
     }
   }
