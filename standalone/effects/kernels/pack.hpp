@@ -462,7 +462,7 @@ struct Row {
 };
 
 /// Far enough ahead for a neighbour's line to arrive, near enough to be still there.
-inline constexpr std::size_t rows_ahead = 2;
+inline constexpr std::size_t rows_ahead = 4;
 
 /// Asks for the lines of rows that a pack will gather soon.
 template <int row_length>
