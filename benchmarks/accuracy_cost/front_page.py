@@ -37,7 +37,7 @@ KINDS = {
     "heat": ("Heat", "against exact solutions"),
     "elastic": ("Elastic bodies", FINER_BODY),
     "plastic": ("Plastic flow and rupture", FINER_BODY),
-    "contact": ("Contact", FINER_BODY),
+    "contact": ("Contact", "as each study says"),
     "coupled": ("Heat and motion", FINER_BODY),
     "central forces": ("Central forces", "of the time step and of the speed of pulling: the same body "
                        "pulled slowly, in fine steps"),

@@ -127,6 +127,20 @@ def mean_error(view: View) -> Measured:
     return Measured(abs(means[0] / means[1] - 1))
 
 
+@measure
+def end_error(view: View) -> Measured:
+    """Relative difference of the last row of a column from its exact value.
+
+    Options: `column`, `exact` (SI units; a multiple of the first row where `of_first` is true).
+    """
+    name = view.option("column")
+    if name not in view.tested.history:
+        raise CodeFailure(f"{view.tested.code} has no column {name} in its history")
+    values = view.tested.history[name]
+    unit = values[0] if view.check.options.get("of_first") else 1.0
+    return Measured(abs(float(values[-1] / unit) / view.option("exact") - 1))
+
+
 def errors(study: Study, reading: Reading, job: Job, result: Result,
            kept: dict[Any, Any], reference: Result | None = None) -> dict[str, float]:
     """The reading's errors by name; CodeFailure when the result cannot be measured."""

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What each effect costs: one scene, its effects switched on one by one, for beams and for central forces.
 
-    python3 -m benchmarks.effects [--elements N] [--steps N] [--rounds N]
+    /usr/bin/python3 -m benchmarks.effects [--elements N] [--steps N] [--rounds N] [--liggghts]
 
 Time is that of the processor, of a long run less that of a short one, so that reading and writing do
 not count; effects are run in turn, medians over the rounds of the ratio to the base of the same round.
-Memory is what `solidem explain` says of the columns. effects.csv stands in results/effects/.
+In LIGGGHTS it is the wall time of the step loop. Memory is what `solidem explain` says of the columns.
+effects.csv stands in results/effects/.
 """
 
 from __future__ import annotations
@@ -71,12 +72,35 @@ def measured(name: str, steps: int, rounds: int, folder: Path) -> list[dict[str,
     for effect, text in effects.items():
         ratios = [time / own for time, own in zip(times[effect], bases[effect])]
         more, _ = bytes_of(base, text, folder)
-        rows.append({"base": name, "effect": effect, "rounds": rounds,
+        rows.append({"code": "standalone", "base": name, "effect": effect, "rounds": rounds,
                      "base_us_per_step": 1e6 * median(bases[effect]),
                      "us_per_step": 1e6 * median(times[effect]), "time_ratio": median(ratios),
                      "least_ratio": min(ratios), "most_ratio": max(ratios),
                      "bytes_per_element": more, "more_bytes_per_element": more - own_bytes})
     return rows
+
+
+def in_liggghts(name: str, steps: int, rounds: int, folder: Path) -> list[dict[str, Any]]:
+    """Rows of one base, of the effects that it takes; what it refuses is told."""
+    from benchmarks.effects.liggghts import measured_in_liggghts  # needs h5py
+    rows = []
+    for effect, times in measured_in_liggghts(*BASES[name], steps, rounds, folder).items():
+        if isinstance(times, str):
+            print(f"liggghts, {name}, {effect}: not measured: {times}", flush=True)
+            continue
+        ratios = [time / own for time, own in zip(*times)]
+        rows.append({"code": "liggghts", "base": name, "effect": effect, "rounds": rounds,
+                     "base_us_per_step": 1e6 * median(times[1]), "us_per_step": 1e6 * median(times[0]),
+                     "time_ratio": median(ratios), "least_ratio": min(ratios), "most_ratio": max(ratios),
+                     "bytes_per_element": "", "more_bytes_per_element": ""})
+    return rows
+
+
+def told(row: dict[str, Any]) -> str:
+    """One line."""
+    memory = row["more_bytes_per_element"]
+    return (f"{row['code']}, {row['base']}, {row['effect']}: × {row['time_ratio']:.3f} ({row['least_ratio']:.3f} – "
+            f"{row['most_ratio']:.3f})" + ("" if memory == "" else f", {memory:+.1f} bytes an element"))
 
 
 def main() -> int:
@@ -85,6 +109,7 @@ def main() -> int:
     parser.add_argument("--elements", type=int, default=4000)
     parser.add_argument("--steps", type=int, default=1000)
     parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--liggghts", action="store_true", help="in LIGGGHTS as well")
     parser.add_argument("--folder", type=Path, default=ROOT / "results" / "effects")
     given = parser.parse_args()
     os.environ["OMP_NUM_THREADS"] = "1"
@@ -93,11 +118,11 @@ def main() -> int:
     processor_seconds(["specimen", "body.toml", "--output", "bar.h5", "--overwrite"], given.folder)
     rows = []
     for name in BASES:
-        for row in measured(name, given.steps, given.rounds, given.folder):
-            rows.append(row)
-            print(f"{name}, {row['effect']}: × {row['time_ratio']:.3f} ({row['least_ratio']:.3f} – "
-                  f"{row['most_ratio']:.3f}), {row['more_bytes_per_element']:+.1f} bytes an element",
-                  flush=True)
+        found = measured(name, given.steps, given.rounds, given.folder)
+        if given.liggghts:
+            found += in_liggghts(name, max(1, given.steps // 10), given.rounds, given.folder.resolve())
+        rows += found
+        print(*map(told, found), sep="\n", flush=True)
     with (given.folder / "effects.csv").open("w", newline="", encoding="utf-8") as file:
         table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         table.writeheader()
