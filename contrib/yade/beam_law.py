@@ -31,7 +31,7 @@ there, less half of what its load does on the way to the next pose: W of its def
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -66,6 +66,12 @@ def relative_turn(of_i: Floats, of_j: Floats) -> tuple[Floats, Floats]:
          - np.cross(of_j[:, 1:], of_i[:, 1:]))
     sign = np.where(w < 0, -1.0, 1.0)
     return sign * w, sign[:, None] * u
+
+
+def turn_of(of_i: Floats, of_j: Floats) -> Floats:
+    """(B, 4) q_i* q_j, in body axes of i, the one of both signs with w >= 0."""
+    w, u = relative_turn(of_i, of_j)
+    return np.column_stack([w, rotated(of_i, u, back=True)])
 
 
 @dataclass(frozen=True)
@@ -108,6 +114,7 @@ class History:
     twist: Floats  #: (B,) plastic, rad
     strain: Floats  #: (B,) equivalent plastic strain
     last: Modes  #: elastic deformation in the last pose
+    last_turn: Floats  #: (B, 4) quaternions by which j stood turned against i there, in axes of i
 
 
 @dataclass
@@ -154,7 +161,8 @@ class BeamLaw:
         none = np.zeros(len(bonds.rest_length))
         still = np.zeros((len(none), 3))
         self.history = History(bonds.rest_direction.copy(), bonds.rest_direction.copy(), none,
-                               none.copy(), none.copy(), Modes(still, still, none, none))
+                               none.copy(), none.copy(), Modes(still, still, none, none),
+                               np.tile([1.0, 0, 0, 0], (len(none), 1)))
         self.intact: Flags = np.ones(len(none), dtype=bool)
         self.plastic_work = 0.0  #: so far, J
         self.fracture_energy = 0.0  #: lost by bonds that broke, J
@@ -236,7 +244,8 @@ class BeamLaw:
             none = np.zeros_like(elastic)
             start = self._deformation(
                 chord, of_i, of_j,
-                History(bonds.rest_direction, bonds.rest_direction, none, none, none, old.last))
+                replace(old, normal_i=bonds.rest_direction, normal_j=bonds.rest_direction,
+                        extension=none, twist=none, strain=none))
         fraction, plastic, strain = self._flow(elastic, self._strain(start))
         flows = (plastic > old.strain) & self.intact
 
@@ -257,22 +266,29 @@ class BeamLaw:
             np.where(flows, found.length - bonds.rest_length - left.extension, old.extension),
             np.where(flows, _dot(u, a_i + a_j) - left.twist, old.twist),
             np.where(flows, plastic, old.strain),
-            left.modes(of_i))
+            left.modes(of_i), turn_of(of_i, of_j))
         loads = [np.where(self.intact[:, None], load, 0.0)
                  for load in self._loads(left, of_i, of_j)]
         return Response(
             *loads, history, strain, np.where(self.intact, energy, 0.0),
-            self._work(found.modes(of_i), history.last, flows),
+            self._work(found.modes(of_i), history, flows),
             self.intact & ((strain > self.largest_stress)
                            | (strain + history.strain > self.largest_strain)),
             self._mutual(old.last, found.modes(of_i)))
 
-    def _work(self, before: Modes, after: Modes, flows: Flags) -> Floats:
+    def _work(self, before: Modes, after: History, flows: Flags) -> Floats:
         """Plastic work of a flow from an elastic deformation to another: by half of the load in the
-        last pose and half of that which is left."""
-        last, mutual = self.history.last, self._mutual
-        return np.where(flows, mutual(last, before) - mutual(last, after)
-                        + mutual(before, after) - mutual(after, after), 0.0)
+        last pose, along what the flow means there, and half of that which is left."""
+        left = after.last
+        flown = Modes(before.lean_i - left.lean_i, before.lean_j - left.lean_j,
+                      before.extension - left.extension, before.twist - left.twist)
+        now, then = after.last_turn, self.history.last_turn
+        of_j = rotated(then, rotated(now, flown.lean_j, back=True))
+        twist = (flown.twist + _dot(then[:, 1:], flown.lean_i + of_j)
+                 - _dot(now[:, 1:], flown.lean_i + flown.lean_j))
+        flown_then = Modes(flown.lean_i, of_j, flown.extension, twist)
+        return np.where(flows, self._mutual(self.history.last, flown_then)
+                        + self._mutual(left, flown), 0.0)
 
     def keep(self, response: Response) -> None:
         """Accepts the pose that the response belongs to."""

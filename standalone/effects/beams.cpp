@@ -265,8 +265,8 @@ Beams::Bond Beams::bond(const BeamMotion& m, std::int32_t i, std::int32_t j, std
   const BeamEnds<double> last = ends_in(m.last_pose, m, slot, i, j);
   const Quaternion<double> turn = q_i * conjugate(last.orientation_i);
   const PosedBeam<double> at = posed_beam(kind, m, slot, m.flow_rule, now, q_i, q_j);
-  const BeamModes<double> before =
-      last_modes(kind, now, q_i, rotate(turn, last.chord), turn * last.orientation_j);
+  const LastBeam<double> before =
+      last_beam(kind, now, q_i, rotate(turn, last.chord), turn * last.orientation_j);
   const auto respond = [&](const auto& law) {
     const double temperature =
         m.temperature == nullptr ? 0 : 0.5 * (m.temperature[i] + m.temperature[j]);

@@ -126,11 +126,10 @@ inline PosedBeam<Real, Turned> posed_beam(Kind kind, const Motion& m, const Slot
           other_turned};
 }
 
-/// Its elastic deformation in the last pose, of the shape that it remembers now. `chord`,
-/// `other_turned`: chord and orientation of the neighbour then, turned with the element to where it
-/// stands now.
+/// The bond in the last pose, of the shape that it remembers now. `chord`, `other_turned`: chord and
+/// orientation of the neighbour then, turned with the element to where it stands now.
 template <class Kind, class Real>
-inline BeamModes<Real> last_modes(Kind kind, const BondNow<Real>& bond,
+inline LastBeam<Real> last_beam(Kind kind, const BondNow<Real>& bond,
                                   const Quaternion<Real>& turned, const Vector3<Real>& chord,
                                   const Quaternion<Real>& other_turned) {
   BeamPose<Real> pose = bond.pose;
@@ -139,7 +138,7 @@ inline BeamModes<Real> last_modes(Kind kind, const BondNow<Real>& bond,
     pose.normal_j = rotate(other_turned, bond.history.normal_j);
     pose.relative_turn = other_turned * conjugate(turned);
   }
-  return detail::world_modes<Real>({pose, deformation_in(kind, bond, pose)});
+  return {detail::world_modes<Real>({pose, deformation_in(kind, bond, pose)}), pose.relative_turn};
 }
 
 }  // namespace solidem

@@ -3,11 +3,14 @@
 // What a beam bond that may flow (beam_plasticity.hpp) does in a pose, by each rule of flow
 // (flow_rule.hpp).
 //
-// Plastic work of a flow by Δq_p is ½ (Q_n + Q')·Δq_p, Q_n the load in the last pose and Q' the one
-// that is left: the mean load, as it works in a step on whatever moves the ends. So it is too where
-// the bond stood below the yield surface in the last pose: all energies of a step then add up. With
-// q_n, q and q' the elastic deformations in the last pose, before and after the flow, and W(a, b)
-// their mutual energy, half of what the load of a does along b, it is W(q_n + q', q − q').
+// Plastic work of a flow is that of the mean load: half of what the load Q_n of the last pose does
+// along the change of shape, half of what the load Q' that is left does. So it is too where the
+// bond stood below the yield surface in the last pose: all energies of a step then add up, in
+// second order of the step. Each load works along what the change of shape means in its own pose:
+// in between j has turned against i, and with it the normal of its section. With q_n and q_n' the
+// elastic deformations of the old and the new shape in the last pose, q and q' those in this one,
+// and W(a, b) their mutual energy, half of what the load of a does along b, it is
+//   W(q_n, q_n − q_n') + W(q', q − q').
 #ifndef SOLIDEM_LAWS_BEAM_FLOW_HPP
 #define SOLIDEM_LAWS_BEAM_FLOW_HPP
 
@@ -103,17 +106,21 @@ constexpr BeamModes<Real> world_modes(const BeamState<Real>& state) {
 }
 
 template <class Real>
-constexpr BeamModes<Real> turned(const Quaternion<Real>& rotation, const BeamModes<Real>& modes) {
-  return {rotate(rotation, modes.lean_i), rotate(rotation, modes.lean_j), modes.extension,
-          modes.twist};
+constexpr LastBeam<Real> turned(const Quaternion<Real>& rotation, const LastBeam<Real>& last) {
+  const auto& [modes, turn] = last;
+  return {{rotate(rotation, modes.lean_i), rotate(rotation, modes.lean_j), modes.extension,
+           modes.twist},
+          {turn.w, rotate(rotation, turn.v)}};
 }
 
-/// a + s b
+/// What a flow takes from the elastic deformation in a pose, in the last pose: there j stood turned
+/// against i otherwise than `now`, and its section with it.
 template <class Real>
-constexpr BeamModes<Real> sum_of(const BeamModes<Real>& a, const Real& s,
-                                 const BeamModes<Real>& b) {
-  return {a.lean_i + s * b.lean_i, a.lean_j + s * b.lean_j, a.extension + s * b.extension,
-          a.twist + s * b.twist};
+constexpr BeamModes<Real> in_last_pose(const BeamModes<Real>& flown, const Quaternion<Real>& now,
+                                       const Quaternion<Real>& then) {
+  const Vector3<Real> of_j = rotate(then * conjugate(now), flown.lean_j);
+  return {flown.lean_i, of_j, flown.extension,
+          flown.twist + dot(then.v, flown.lean_i + of_j) - dot(now.v, flown.lean_i + flown.lean_j)};
 }
 
 /// A deformation of which shares remain.
@@ -212,18 +219,15 @@ constexpr BondStrain<Real> strains_after(const YieldingBeam<Real>& beam,
 }
 
 /// What a bond does that flows, and its history if the pose is accepted; without its strains, which
-/// cost roots that few ask for. `last`: its elastic deformation in the last pose, turned with
-/// element i to where it stands now.
+/// cost roots that few ask for. `last`: turned with element i to where it stands now.
 template <class Real, class Turned>
 constexpr BeamResponse<Real> flowed_response(const YieldingBeam<Real>& beam,
                                              const BeamHistory<Real>& history,
                                              const PosedBeam<Real, Turned>& at,
                                              const BeamFlow<Real>& flow,
-                                             const BeamModes<Real>& last) {
+                                             const LastBeam<Real>& last) {
   const auto& [pose, left] = flow.left;
   const Real twist = dot(pose.relative_turn.v, pose.normal_i + pose.normal_j);
-  const BeamModes<Real> twice_mean =
-      detail::sum_of(last, Real{1.0}, detail::world_modes(flow.left));
   const BeamModes<Real> flown{
       at.now.pose.normal_i - pose.normal_i, at.now.pose.normal_j - pose.normal_j,
       at.now.deformation.extension - left.extension, at.now.deformation.twist - left.twist};
@@ -233,7 +237,10 @@ constexpr BeamResponse<Real> flowed_response(const YieldingBeam<Real>& beam,
        history.extension + flown.extension, twist - left.twist, flow.strain, history.last},
       flow.elastic_strain,
       beam_energy(beam.rigidity, pose, left),
-      mutual_energy(beam.rigidity, left.inverse_rest_length, twice_mean, flown),
+      mutual_energy(beam.rigidity, left.inverse_rest_length, last.modes,
+                    detail::in_last_pose(flown, pose.relative_turn, last.turn)) +
+          mutual_energy(beam.rigidity, left.inverse_rest_length, detail::world_modes(flow.left),
+                        flown),
       {}};
 }
 
@@ -245,20 +252,21 @@ constexpr BeamResponse<Real> elastic_response(const YieldingBeam<Real>& beam,
   return detail::unflowed(beam, history, now, detail::judged_strain(beam, now));
 }
 
-/// What a bond does that may flow, and its history if the pose is accepted: of that the last
-/// deformation in world axes.
+/// What a bond does that may flow, and its history if the pose is accepted: of that the last pose
+/// in world axes.
 template <class Law, class Real>
 constexpr BeamResponse<Real> flow_response(FlowRule rule, const YieldCurve<Law, Real>& yield,
                                            const YieldingBeam<Real>& beam,
                                            const BeamHistory<Real>& history,
-                                           const PosedBeam<Real>& at, const BeamModes<Real>& last) {
+                                           const PosedBeam<Real>& at, const LastBeam<Real>& last) {
   return by_rule(rule, [&](auto known) {
     const BeamFlow<Real> flow = beam_flow<decltype(known)::value>(yield, beam, history.strain, at);
     const bool flows = any(greater(flow.strain, history.strain));
     BeamResponse<Real> response = flows ? flowed_response(beam, history, at, flow, last)
                                         : elastic_response(beam, history, at.now);
     if (flows) response.strains = strains_after(beam, flow);
-    response.history.last = detail::world_modes(flows ? flow.left : at.now);
+    response.history.last = {detail::world_modes(flows ? flow.left : at.now),
+                             at.now.pose.relative_turn};
     return response;
   });
 }

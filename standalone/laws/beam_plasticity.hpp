@@ -29,6 +29,13 @@
 
 namespace solidem {
 
+/// How a beam stood in the last pose, turned with element i.
+template <class Real>
+struct LastBeam {
+  BeamModes<Real> modes;    ///< its elastic deformation
+  Quaternion<Real> turn{};  ///< q_j q_i*
+};
+
 /// What a beam remembers: the shape in which it is free of load, and how much it has flowed.
 template <class Real>
 struct BeamHistory {
@@ -37,7 +44,7 @@ struct BeamHistory {
   Real extension;          ///< plastic part, m
   Real twist;              ///< plastic part, rad
   Real strain;             ///< κ: equivalent plastic strain, never decreasing
-  BeamModes<Real> last;    ///< elastic deformation in the last pose
+  LastBeam<Real> last;     ///< in body axes of i
 };
 
 /// The history of a beam that has not flowed.

@@ -124,7 +124,7 @@ void BondSolidemBeam::act_alone(SolidemBondPacks& packs, int bond, bool asked) {
   add(loads_[i], action.load.force, action.load.moment_i);
   add(loads_[j], -action.load.force, action.load.moment_j);
 
-  if (action.heat_i != 0.0 || action.heat_j != 0.0) give_heat(i, j, action);
+  if (action.heat_of_each != 0.0) give_heat(i, j, action);
   const double owned = packs.owned(bond);
   contact_energy_ += owned * action.contact_energy;
   if (action.breaks || action.forms || action.fracture_energy != 0.0) enter(action, owned);
@@ -159,8 +159,8 @@ void BondSolidemBeam::hand_loads_on() {
 // It waits there until heat steps; with newton_bond off the other rank sees the bond too.
 void BondSolidemBeam::give_heat(int i, int j, const SolidemBondAction& action) {
   double* waiting = waiting_heat->vector_atom;
-  if (force->newton_bond || i < atom->nlocal) waiting[i] += action.heat_i;
-  if (force->newton_bond || j < atom->nlocal) waiting[j] += action.heat_j;
+  if (force->newton_bond || i < atom->nlocal) waiting[i] += action.heat_of_each;
+  if (force->newton_bond || j < atom->nlocal) waiting[j] += action.heat_of_each;
 }
 
 void BondSolidemBeam::enter(const SolidemBondAction& action, double fraction) {

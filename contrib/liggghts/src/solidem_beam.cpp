@@ -69,7 +69,7 @@ void SolidemBeam::make(double* memory, const SolidemBondEnds& ends) const {
   memory[Row::ENERGY] = 0.0;
   std::fill_n(memory + Row::LAST, 9, 0.0);
   if (feels_rate()) memory[Row::FLOW_RATE] = 0.0;
-  if (flows) std::fill_n(memory + Row::LAST_SEEN_BY_J, 6, 0.0);
+  if (flows) keep_turn(memory, ends);
   memory[Row::TWIST] = 2.0 * dot((ends.orientation_j * back_i).v, direction);
   if (is_offset()) store(memory + Row::REST_DIRECTION, solidem::rotate(back_i, direction));
 }
@@ -160,7 +160,7 @@ solidem::BeamResponse<double> SolidemBeam::response(const double* memory,
                                                     const State& now, double step) const {
   BeamHistory<double> before = history(memory);
   if (!flows) return solidem::elastic_response<double>(bond, before, {now.pose, now.deformation});
-  before.last = last_modes(memory, bond.rest_length);
+  before.last = {last_modes(memory, bond.rest_length), last_turn(memory)};
   return std::visit(
       [&](const auto& known) {
         const auto yield = yield_curve(known, memory, ends, step);
@@ -170,29 +170,6 @@ solidem::BeamResponse<double> SolidemBeam::response(const double* memory,
                                       {ends.chord, ends.orientation_i, ends.orientation_j});
       },
       hardening);
-}
-
-/* ----------------------------------------------------------------------
-   plastic work of a flow if the last deformation has turned with atom j, and not with i: the
-   atoms' two views differ by as much as a step turns one against the other. `left`: what the flow
-   leaves, in body axes of i
-------------------------------------------------------------------------- */
-
-double SolidemBeam::work_seen_by_j(const double* memory, const SolidemBondEnds& ends,
-                                   const YieldingBeam<double>& bond, const State& now,
-                                   const solidem::BeamModes<double>& left) const {
-  using solidem::detail::sum_of;
-  using solidem::detail::turned;
-  const solidem::BeamModes<double> of_i = last_modes(memory, bond.rest_length);
-  const double* seen = memory + Row::LAST_SEEN_BY_J;
-  const solidem::BeamModes<double> last =
-      turned<double>(ends.orientation_j,
-                     {solidem_vector(seen), solidem_vector(seen + 3), of_i.extension, of_i.twist});
-  const solidem::BeamModes<double> after = turned(ends.orientation_i, left);
-  const solidem::BeamModes<double> before =
-      solidem::detail::world_modes<double>({now.pose, now.deformation});
-  return solidem::mutual_energy(bond.rigidity, 1 / bond.rest_length, sum_of(last, 1.0, after),
-                                sum_of(before, -1.0, after));
 }
 
 /* ----------------------------------------------------------------------
@@ -206,14 +183,11 @@ solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondE
                                               double step, SolidemBondAction& action) const {
   const solidem::BeamResponse<double> response = this->response(memory, ends, bond, now, step);
   if (!(response.history.strain > memory[Row::PLASTIC_STRAIN])) {
-    keep_last(memory, ends, response.history.last, bond.rest_length, 0.0);
+    keep_last(memory, ends, response.history.last.modes, bond.rest_length, 0.0);
     return response.strains;
   }
-  const double seen_by_i = response.plastic_work;
-  const double seen_by_j = work_seen_by_j(memory, ends, bond, now, response.history.last);
-  action.heat_i = 0.5 * plastic_heat * seen_by_i;
-  action.heat_j = 0.5 * plastic_heat * seen_by_j;
-  keep_last(memory, ends, response.history.last, bond.rest_length, 0.0);
+  action.heat_of_each = 0.5 * plastic_heat * response.plastic_work;
+  keep_last(memory, ends, response.history.last.modes, bond.rest_length, 0.0);
 
   if (feels_rate())
     memory[Row::FLOW_RATE] =
@@ -224,7 +198,7 @@ solidem::BondStrain<double> SolidemBeam::flow(double* memory, const SolidemBondE
   memory[Row::EXTENSION] = response.history.extension;
   memory[Row::TWIST] = response.history.twist;
   memory[Row::PLASTIC_STRAIN] = response.history.strain;
-  memory[Row::PLASTIC_WORK] += 0.5 * (seen_by_i + seen_by_j);
+  memory[Row::PLASTIC_WORK] += response.plastic_work;
   memory[Row::FLOW] = step + 1.0;
   now = state(memory, ends, bond.rest_length);
   return response.strains;

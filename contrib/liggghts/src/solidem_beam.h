@@ -36,10 +36,10 @@ struct SolidemBondEnds {
 /// What a bond does to its atoms.
 struct SolidemBondAction {
   solidem::BeamLoad<double> load = {};
-  double elastic_energy = 0.0;        ///< of the beam
-  double contact_energy = 0.0;        ///< of a broken bond whose atoms push each other
-  double fracture_energy = 0.0;       ///< lost in this step, by rupture or by a bond made anew
-  double heat_i = 0.0, heat_j = 0.0;  ///< for its atoms, of the flow in this step
+  double elastic_energy = 0.0;   ///< of the beam
+  double contact_energy = 0.0;   ///< of a broken bond whose atoms push each other
+  double fracture_energy = 0.0;  ///< lost in this step, by rupture or by a bond made anew
+  double heat_of_each = 0.0;     ///< for each of its atoms, of the flow in this step
   bool breaks = false, forms = false;
 };
 
@@ -143,6 +143,8 @@ struct SolidemBeam {
   solidem::BeamModes<double> last_modes(const double* memory, double rest_length) const;
   void keep_last(double* memory, const SolidemBondEnds& ends, solidem::BeamModes<double> modes,
                  double rest_length, double strain) const;
+  solidem::Quaternion<double> last_turn(const double* memory) const;
+  void keep_turn(double* memory, const SolidemBondEnds& ends) const;
   State state(const double* memory, const SolidemBondEnds& ends, double rest_length) const;
   bool acts_as_beam(const double* memory, double step) const;
   bool made_anew(const double* memory, double step) const;
@@ -152,9 +154,6 @@ struct SolidemBeam {
   solidem::BondStrain<double> flow(double* memory, const SolidemBondEnds& ends,
                                    const solidem::YieldingBeam<double>& bond, State& now,
                                    double step, SolidemBondAction& action) const;
-  double work_seen_by_j(const double* memory, const SolidemBondEnds& ends,
-                        const solidem::YieldingBeam<double>& bond, const State& now,
-                        const solidem::BeamModes<double>& left) const;
   double rate_left(const double* memory, const SolidemBondEnds& ends, double step) const;
   double rate_per_flow(const SolidemBondEnds& ends) const;
   template <class Yield>
@@ -254,12 +253,19 @@ inline void SolidemBeam::keep_last(double* memory, const SolidemBondEnds& ends,
   const Vector &i = modes.lean_i, &j = modes.lean_j;
   const double numbers[] = {i.x, i.y, i.z, j.x, j.y, j.z, modes.extension, modes.twist, strain};
   for (int k = 0; k < 9; k++) memory[SolidemBondMemory::LAST + k] = numbers[k];
-  if (!flows) return;
-  const solidem::Quaternion<double> back =
-      solidem::conjugate(ends.orientation_j) * ends.orientation_i;
-  const Vector a = solidem::rotate(back, i), b = solidem::rotate(back, j);
-  const double seen[] = {a.x, a.y, a.z, b.x, b.y, b.z};
-  for (int k = 0; k < 6; k++) memory[SolidemBondMemory::LAST_SEEN_BY_J + k] = seen[k];
+  if (flows) keep_turn(memory, ends);
+}
+
+inline solidem::Quaternion<double> SolidemBeam::last_turn(const double* memory) const {
+  const double* last = memory + SolidemBondMemory::LAST_TURN;
+  return {last[0], solidem_vector(last + 1)};
+}
+
+inline void SolidemBeam::keep_turn(double* memory, const SolidemBondEnds& ends) const {
+  const solidem::Quaternion<double> turn =
+      solidem::conjugate(ends.orientation_i) * ends.orientation_j;
+  const double numbers[] = {turn.w, turn.v.x, turn.v.y, turn.v.z};
+  for (int k = 0; k < 4; k++) memory[SolidemBondMemory::LAST_TURN + k] = numbers[k];
 }
 
 inline SolidemBeam::State SolidemBeam::state(const double* memory, const SolidemBondEnds& ends,

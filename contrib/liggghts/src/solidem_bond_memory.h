@@ -33,13 +33,13 @@ struct SolidemBondMemory {
     LAST = 14,  ///< 9: elastic deformation in the last pose: leans of both ends, extension (beyond
                 ///< REST_LENGTH, however warm the bond was), twist; and, broken, the contact's push
                 ///< there
-    LAST_SEEN_BY_J = 23,  ///< 6: the leans of LAST, in body axes of j
-    REST_DIRECTION = 29,  ///< 3: direction when it was made, in body axes
-    FLOW_RATE = 32,       ///< of the plastic strain, averaged, when it last flowed
+    LAST_TURN = 23,       ///< 4: quaternion by which j stood turned against i there, in axes of i
+    REST_DIRECTION = 27,  ///< 3: direction when it was made, in body axes
+    FLOW_RATE = 30,       ///< of the plastic strain, averaged, when it last flowed
   };
   /// Numbers of a bond that is elastic; may break; may flow; flows by the scaled offset; feels the
   /// rate of its flow.
-  enum Width { ELASTIC = 4, BREAKING = 23, FLOWING = 29, WITH_REST_DIRECTION = 32, WITH_RATE = 33 };
+  enum Width { ELASTIC = 4, BREAKING = 23, FLOWING = 27, WITH_REST_DIRECTION = 30, WITH_RATE = 31 };
   static constexpr double GONE = -1.0;
   static bool is_gone(const double* memory) { return memory[RUPTURE] == GONE; }
   static bool is_cut(const double* memory) {

@@ -118,13 +118,12 @@ inline void keep_last(const SolidemBeamPacks& m, int first, int count, const Bon
     double* last = m.memory[first + k] + Memory::LAST;
     for (int number = 0; number < 9; number++) last[number] = numbers[number].v[k];
   }
-  const PackQuaternion back = solidem::conjugate(bonds.turned_j) * bonds.turned_i;
-  const PackVector a = solidem::rotate(back, i), b = solidem::rotate(back, j);
-  const Pack seen[] = {a.x, a.y, a.z, b.x, b.y, b.z};
+  const PackQuaternion turn = solidem::conjugate(bonds.turned_i) * bonds.turned_j;
+  const Pack turned[] = {turn.w, turn.v.x, turn.v.y, turn.v.z};
   for (int k = 0; k < count; k++) {
     if (bonds.apart[k]) continue;
-    double* last = m.memory[first + k] + Memory::LAST_SEEN_BY_J;
-    for (int number = 0; number < 6; number++) last[number] = seen[number].v[k];
+    double* last = m.memory[first + k] + Memory::LAST_TURN;
+    for (int number = 0; number < 4; number++) last[number] = turned[number].v[k];
   }
 }
 

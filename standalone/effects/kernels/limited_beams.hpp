@@ -47,13 +47,13 @@ inline LimitedBonds limited_bonds(Kind kind, const BeamMotion& m, const OwnEnds&
       other_turned};
 }
 
-/// Elastic deformation of bonds in the last pose.
+/// Bonds in the last pose.
 template <class Kind>
-inline BeamModes<Pack> last_of(Kind kind, const BeamMotion& m, const SlotPlace& slot,
-                               const BondPack& bond, const OwnEnds& own,
-                               const OwnLastEnds& own_last) {
+inline LastBeam<Pack> last_of(Kind kind, const BeamMotion& m, const SlotPlace& slot,
+                              const BondPack& bond, const OwnEnds& own,
+                              const OwnLastEnds& own_last) {
   const Row other = Row::gather(m.last_pose, m.neighbour + slot.of(1));
-  return last_modes(kind, bond, own.turned,
+  return last_beam(kind, bond, own.turned,
                     rotate(own_last.rotation, chord_to(m, slot, own_last.position, other)),
                     own_last.turn * orientation(other));
 }
