@@ -255,6 +255,14 @@ class Conduction:
 
 
 @dataclass(frozen=True)
+class ContactConduction:
+    """How well heat passes where elements and tools touch; one of the two is given."""
+
+    coefficient: float | None = None  #: of the circle of overlap, W/(m² K)
+    conductance: float | None = None  #: of each touch, W/K
+
+
+@dataclass(frozen=True)
 class Grip:
     """Elements held or moved at constant velocity; an axis that is None is free."""
 
@@ -282,6 +290,8 @@ class Tool:
     rotation_point: tuple[float, float, float]  #: of that axis at the start, m
     elements_that_overlap_at_the_start: int
     deepest_overlap_at_the_start: float  #: m
+    effusivity: float = 0.0  #: of its material, W s^½/(m² K); 0: it takes no heat of friction
+    temperature: float | None = None  #: that what touches it exchanges heat with, K
 
 
 @dataclass(frozen=True)
@@ -311,6 +321,7 @@ class Parameters:
     softening: OverTemperature | None = None  #: moduli over those of the beams
     plastic_heat: float = 0.0  #: of the plastic work of bonds that heats their ends
     friction_heat: float = 0.0  #: of the work of slip in contacts that heats both sides
+    contact_conduction: ContactConduction | None = None
 
     @property
     def joins_heat_and_motion(self) -> bool:
@@ -425,6 +436,8 @@ def _tool(entry: dict[str, Any]) -> Tool:
         known[name] = _vector(entry[name])
     known["velocity"] = _vector([_steady(along, where) for along in entry["along"]])
     known["angular_velocity"] = _steady(entry["angular_velocity"], where)
+    if "temperature" in entry:
+        known["temperature"] = _constant(entry["temperature"], f"{where}: temperature")
     return Tool(**known)
 
 
@@ -547,7 +560,7 @@ def _law_of_bonds(kind: type, law: dict[str, Any] | None) -> Any:
 KNOWN_SECTIONS = {"beams", "plasticity", "rupture", "contact", "damage", "central_forces", "grips",
                   "gravity", "damping", "conduction", "thermal_contacts", "heat_sources",
                   "heat_fluxes", "convections", "temperatures", "initial_velocities", "tools",
-                  "plastic_heat", "expansion", "softening", "friction_heat"}
+                  "plastic_heat", "expansion", "softening", "friction_heat", "contact_conduction"}
 
 
 def _unknown_sections(effects: list[dict[str, str]]) -> list[str]:
@@ -556,16 +569,23 @@ def _unknown_sections(effects: list[dict[str, str]]) -> list[str]:
     return [f"[{name}] is not understood" for name in sorted(asked - KNOWN_SECTIONS)]
 
 
-def _friction_heat(law: dict[str, Any] | None, tools: tuple[Tool, ...],
-                   unsupported: list[str]) -> float:
-    """The fraction of the work of slip; what rubs on tools and what dashpots take is unsupported."""
+def _friction_heat(law: dict[str, Any] | None, unsupported: list[str]) -> float:
+    """The fraction of the work of slip; what dashpots take is unsupported."""
     if not law:
         return 0.0
     if law.get("damping_fraction"):
         unsupported.append("[friction_heat] damping_fraction: heat of dashpots is not understood")
-    unsupported += [f"[friction_heat] with friction of tool {tool.name}: heat of friction is understood "
-                    "between elements alone" for tool in tools if tool.friction]
     return float(law["fraction"])
+
+
+def _contact_conduction(law: dict[str, Any] | None, contact: Contact | None,
+                        unsupported: list[str]) -> ContactConduction | None:
+    """Of tools; heat that passes between elements that touch is unsupported."""
+    if law and contact:
+        unsupported.append("[contact_conduction] beside [contact]: heat that passes between elements "
+                           "that touch is not understood, only that of tools")
+    found: ContactConduction | None = _known(ContactConduction, law)
+    return found
 
 
 def _state_of_yield(law: dict[str, Any]) -> list[str]:
@@ -602,7 +622,8 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
                                "that stay the same are understood")
     expansion = _expansion(laws, unsupported)
     softening = _softening(laws.get("softening"), unsupported)
-    friction_heat = _friction_heat(laws.get("friction_heat"), tools, unsupported)
+    friction_heat = _friction_heat(laws.get("friction_heat"), unsupported)
+    through_contacts = _contact_conduction(laws.get("contact_conduction"), contact, unsupported)
     return Parameters(
         float(explained["time_step"]["value"]),
         int(explained["steps"]),
@@ -627,6 +648,7 @@ def parse_parameters(explained: dict[str, Any]) -> Parameters:
         softening,
         float((laws.get("plastic_heat") or {}).get("fraction") or 0.0),
         friction_heat,
+        through_contacts,
     )
 
 

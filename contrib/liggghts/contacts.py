@@ -174,12 +174,17 @@ def differences(specimen: Specimen, parameters: Parameters) -> list[str]:
         found.append("[contact] friction: its force does not turn about the normal when both spin")
     heat_leads = parameters.joins_heat_and_motion or (parameters.conduction
                                                       and parameters.conduction.every > 1)
-    if parameters.friction_heat and contact and contact.friction and heat_leads:
+    rubs = any(one.friction for one in [contact, *tools] if one)
+    if parameters.friction_heat and rubs and heat_leads:
         found.append("[friction_heat] where heat steps before contacts act, as it does beside bonds that "
                      "give heat or look at temperatures, and with every: heat of friction comes to the "
                      "elements one step later")
+    if parameters.contact_conduction and heat_leads:
+        found.append("[contact_conduction] where heat steps before contacts act, as above: heat passes "
+                     "through the touches of one step before")
     found += [f"tool {tool.name}: friction acts at the middle of the overlap, not at the tool's "
-              "surface: levers differ by half the overlap" for tool in tools if tool.friction]
+              "surface: levers differ by half the overlap; it does not turn about the normal with what "
+              "spins" for tool in tools if tool.friction]
     found += [f"tool {tool.name}: over a face, nearer to its edge than the ball's footprint, the edge "
               "pushes besides" for tool in tools if _has_edges(specimen, tool)]
     if any(one.restitution < 1 for one in [contact, *tools] if one):
@@ -272,6 +277,34 @@ def tool_lines(specimen: Specimen, parameters: Parameters, types: Types, directo
         lines += (f"fix meshes all wall/gran {MODEL} mesh n_meshes {len(meshes)} meshes "
                   f"{' '.join(meshes)} {SETTINGS}\n")
     return lines
+
+
+def friction_lines(parameters: Parameters) -> str:
+    """The command for heat of friction, if something rubs. Heat of tools is f_friction[1] ... in the
+    order of the scene."""
+    tools = parameters.tools
+    rubs = [one.friction for one in [parameters.contact, *tools] if one]
+    if not parameters.friction_heat or not any(rubs):
+        return ""
+    lines = f"fix friction all solidem/friction fraction {full(parameters.friction_heat)}"
+    for number, tool in enumerate(tools):
+        lines += f" &\n  tool tool{number} {full(tool.effusivity)}"
+    return lines + "\n"
+
+
+def touch_lines(parameters: Parameters) -> str:
+    """The command for heat through what touches tools: f_touch[1] ... is that of those that have a
+    temperature, in the order of the scene."""
+    law = parameters.contact_conduction
+    if law is None:
+        return ""
+    lines = "fix touch all solidem/touch " + (
+        f"coefficient {full(law.coefficient)}" if law.coefficient is not None
+        else f"conductance {full(law.conductance or 0)}")
+    for number, tool in enumerate(parameters.tools):
+        if tool.temperature is not None:
+            lines += f" &\n  tool tool{number} {full(tool.temperature)}"
+    return lines + "\n"
 
 
 def _motion_lines(name: str, tool: Tool) -> str:

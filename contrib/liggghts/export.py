@@ -25,9 +25,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from contrib.liggghts.contacts import (Types, differences, full, has_contacts,  # noqa: E402
-                                       has_meshes, pair_lines, require_same_law, tool_lines, tool_places,
-                                       types_of)
+from contrib.liggghts.contacts import (Types, differences, friction_lines, full,  # noqa: E402
+                                       has_contacts, has_meshes, pair_lines, require_same_law, tool_lines,
+                                       tool_places, touch_lines, types_of)
 from contrib.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # noqa: E402
                               Grip, Integers, OverTemperature, Parameters, Plasticity,
                               PreparedError, Rupture, Specimen, parse_parameters, read_specimen)
@@ -361,7 +361,7 @@ def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, 
                directory: Path) -> str:
     """The commands for conduction and what heats the body; their files go to the directory.
 
-    The fixes are called heat, friction, temperature0 ..., exchange0 ... in the order of the scene.
+    The fixes are called heat, friction, touch, temperature0 ..., exchange0 ... in the order of the scene.
     """
     parameters.require_support()
     law = parameters.conduction
@@ -382,8 +382,7 @@ def heat_lines(specimen: Specimen, parameters: Parameters, explained: dict[str, 
              f"specific_heat {full(law.specific_heat_capacity)} density {full(_density(explained))} "
              f"initial_temperature {full(law.initial_temperature)}"
              + (f" every {law.every}\n" if law.every > 1 else "\n"))
-    if parameters.contact and parameters.contact.friction and parameters.friction_heat:
-        lines += f"fix friction all solidem/friction fraction {full(parameters.friction_heat)}\n"
+    lines += friction_lines(parameters) + touch_lines(parameters)
     for number, (name, value) in enumerate(parameters.temperatures.items()):
         lines += group_lines(f"temperature{number}", specimen.sets[f"temperature.{name}"])
         lines += f"fix temperature{number} temperature{number} solidem/temperature {full(value)}\n"

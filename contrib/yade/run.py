@@ -57,6 +57,8 @@ def _scene(specimen: Specimen, parameters: Parameters, law: str):
         raise SystemExit("run.py: [contact] is understood of loose elements alone")
     if parameters.friction_heat:
         raise SystemExit("run.py: [friction_heat] is not supported in YADE")
+    if parameters.contact_conduction:
+        raise SystemExit("run.py: [contact_conduction] is not supported in YADE")
     if parameters.conduction and parameters.conduction.every > 1:
         raise SystemExit("run.py: heat that waits for several steps of the motion is not supported in "
                          "YADE")

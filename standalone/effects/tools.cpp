@@ -443,6 +443,7 @@ Summary Tool::explanation() const {
                {"friction", contact_.friction},
                {"restitution", contact_.restitution},
                {"damping_ratio", damping_ratio_},
+               {"effusivity", contact_.effusivity},
                {"motion", motion_.drive     ? "force"
                           : motion_.is_path ? "path"
                                             : "velocity"},
@@ -451,6 +452,7 @@ Summary Tool::explanation() const {
                {"rotation_point", triple(motion_.rotation_point)},
                {"elements_that_overlap_at_the_start", fitted_},
                {"deepest_overlap_at_the_start", deepest_fitted_}};
+  if (contact_.temperature) told["temperature"] = to_json(*contact_.temperature);
   for (const TimeFunction& along : motion_.along) told["along"].push_back(to_json(along));
   return told;
 }

@@ -16,9 +16,6 @@ BODY = (crystal("simple_cubic", 4, 3, 3)
         + CONDUCTING_ALUMINIUM.replace("\n", '\nexpansion_coefficient = "23e-6 1/K"\n', 1)
         + STIFF_BEAMS + "[plasticity]\nyield_strain = 0.002\n")
 
-#: Sections that act only where elements touch.
-OF_CONTACTS = {"contact_conduction", "friction_heat"}
-
 
 @pytest.fixture
 def examples(solidem) -> dict[str, str]:
@@ -39,8 +36,7 @@ def test_a_scene_with_any_other_section_is_refused_by_its_name(solidem, examples
     unknown = sorted(examples.keys() - KNOWN_SECTIONS)
     assert unknown
     for section in unknown:
-        text = BODY + examples[section] + (examples["contact"] if section in OF_CONTACTS else "")
-        scene = solidem.scene("scene.toml", text + "[run]\nsteps = 1\n")
+        scene = solidem.scene("scene.toml", BODY + examples[section] + "[run]\nsteps = 1\n")
         done = solidem("explain", scene, "--json", "--quick")
         assert done.returncode == 0, done.stderr
         unsupported = parse_parameters(json.loads(done.stdout)).unsupported

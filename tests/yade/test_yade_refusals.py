@@ -81,7 +81,8 @@ def test_motions_that_are_not_steady(bar: Bar, axis: dict[str, Any], words: str)
     ("centrifugal_load", {}, r"\[centrifugal_load\] is not understood"),
     ("friction_heat", {"friction_heat": {"fraction": 1.0, "damping_fraction": 0.5}},
      r"\[friction_heat\] damping_fraction: heat of dashpots is not understood"),
-    ("contact_conduction", {}, r"\[contact_conduction\] is not understood"),
+    ("contact_conduction", {"contact_conduction": {"conductance": 1.0}, "contact": {"friction": 0.1}},
+     r"\[contact_conduction\] beside \[contact\]"),
     ("conduction", {"conduction": {"conductivity": 1.0, "initial_temperature": 300.0,
                                    "largest_change": 1.0}}, "largest_change: heat that chooses"),
     ("damping", {"damping": {"viscous": 100.0}}, "viscous damping is not understood"),
@@ -99,6 +100,9 @@ def test_heat_of_friction_and_heat_that_waits(bar: Bar, tmp_path: Path) -> None:
     task = beam_task(bar, 1.0, 10)
     task["laws"] |= {"friction_heat": {"fraction": 1.0}}
     refuses(bar.path, task, tmp_path / "friction", "[friction_heat] is not supported in YADE")
+    task = beam_task(bar, 1.0, 10)
+    task["laws"] |= {"contact_conduction": {"conductance": 1.0}}
+    refuses(bar.path, task, tmp_path / "touch", "[contact_conduction] is not supported in YADE")
     task = heat_task(bar, 10)
     task["laws"]["conduction"]["every"] = 5
     refuses(bar.path, task, tmp_path / "clock", "waits for several steps of the motion is not supported")

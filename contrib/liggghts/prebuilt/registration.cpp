@@ -30,6 +30,7 @@
 #include "fix_solidem_exchange.h"
 #include "fix_solidem_friction.h"
 #include "fix_solidem_temperature.h"
+#include "fix_solidem_touch.h"
 #include "force.h"
 #include "modify.h"
 #include "pair_solidem_central.h"
@@ -110,6 +111,7 @@ void Modify::add_fix(int narg, char** arg, char* suffix) {
   fixes["solidem/exchange"] = &create_fix<FixSolidemExchange>;
   fixes["solidem/friction"] = &create_fix<FixSolidemFriction>;
   fixes["solidem/temperature"] = &create_fix<FixSolidemTemperature>;
+  fixes["solidem/touch"] = &create_fix<FixSolidemTouch>;
   typedef void (*AddFix)(Modify*, int, char**, char*);
   static const AddFix library_add_fix =
       reinterpret_cast<AddFix>(library_function("_ZN9LAMMPS_NS6Modify7add_fixEiPPcS1_"));

@@ -50,6 +50,7 @@ FixSolidemConduction::FixSolidemConduction(LAMMPS* liggghts, int narg, char** ar
       step_of_capacities(-1.0),
       checked_step(-1.0),
       leads_(false),
+      contacts_heat_(false),
       every_(1),
       waited_(0),
       waited_time_(0.0),
@@ -363,6 +364,10 @@ double FixSolidemConduction::heat_capacity(int i) const {
   if (law == "voronoi") return specific_heat * density * cell_volume->vector_atom[i];
   const solidem::PlatonicElement element = {atom->radius[i], coordination->vector_atom[i]};
   return capacity_factor * solidem::platonic_heat_capacity(element, density, specific_heat);
+}
+
+double FixSolidemConduction::effusivity() const {
+  return sqrt(conductivity * density * specific_heat);
 }
 
 void FixSolidemConduction::find_steps(double time) {

@@ -53,6 +53,8 @@ class FixSolidemConduction : public Fix {
 
   /// Heat capacity of local atom i, J/K.
   double heat_capacity(int i) const;
+  /// e = √(λ ρ c) of the atoms' material, W s^½/(m² K).
+  double effusivity() const;
   /// Whether heat steps before forces act, and calls those that heat by walls or impose a
   /// temperature itself.
   bool leads() const { return leads_; }
@@ -90,6 +92,7 @@ class FixSolidemConduction : public Fix {
   double step_of_capacities;               // s; negative: not known
   double checked_step;                     // of the motion, that is known to be stable, s
   bool leads_;
+  bool contacts_heat_;  // by friction, or through what touches
   int every_;           // steps of the motion from one step of heat to the next
   int waited_;          // steps of the motion since heat last stepped
   double waited_time_;  // how long they took, s
@@ -110,7 +113,7 @@ class FixSolidemConduction : public Fix {
   void find_steps(double);
   void find_what_bonds_ask();
   void take_waiting_heat();
-  void take_heat_of_friction();
+  void take_heat_of_contacts();
   double pass();
   void conduct();
   void step(double);

@@ -10,7 +10,7 @@
 
 // Heat through a time step.
 //
-// By itself heat steps as forces do: fluxes of all fixes in post_force, after the heat of friction
+// By itself heat steps as forces do: fluxes of all fixes in post_force, after the heat of contacts
 // of that step, and temperatures after them. Where bonds give heat or look at temperatures it steps
 // before the bonds act in the new pose: what flow made until the last pose comes to the atoms, then
 // heat is conducted over the step, and bonds see the temperatures that hold in their pose. So does
@@ -28,6 +28,7 @@
 #include "fix_solidem_exchange.h"
 #include "fix_solidem_friction.h"
 #include "fix_solidem_temperature.h"
+#include "fix_solidem_touch.h"
 #include "force.h"
 #include "modify.h"
 #include "solidem_waiting_heat.h"
@@ -52,6 +53,7 @@ void FixSolidemConduction::find_what_bonds_ask() {
   const bool flow_heats = beams && beams->gives_heat();
   leads_ = every_ > 1 || flow_heats || (beams && beams->follows_temperature());
   const bool friction_heats = modify->n_fixes_style_strict("solidem/friction") > 0;
+  contacts_heat_ = friction_heats || modify->n_fixes_style_strict("solidem/touch") > 0;
   waiting_heat =
       flow_heats || friction_heats ? solidem_waiting_heat(modify, atom->nlocal, style) : NULL;
 }
@@ -73,6 +75,7 @@ void FixSolidemConduction::post_integrate() {
   if (time == 0.0) return;
   const auto imposed = fixes<FixSolidemTemperature>(modify);
   take_waiting_heat();
+  for (FixSolidemTouch* touch : fixes<FixSolidemTouch>(modify)) touch->exchange(time);
   for (FixSolidemTemperature* one : imposed) one->hold();
   double* flux = heat_flux->vector_atom;
   std::fill_n(flux + atom->nlocal, atom->nghost, 0.0);
@@ -98,14 +101,15 @@ void FixSolidemConduction::take_waiting_heat() {
 // Other fixes add to the fluxes too; temperatures change after all have done so.
 void FixSolidemConduction::post_force(int) {
   if (leads_) return;
-  if (waiting_heat) take_heat_of_friction();
+  if (contacts_heat_) take_heat_of_contacts();
   conduct();
 }
 
 // Of this very pose: the forces have acted in it.
-void FixSolidemConduction::take_heat_of_friction() {
+void FixSolidemConduction::take_heat_of_contacts() {
   for (FixSolidemFriction* friction : fixes<FixSolidemFriction>(modify)) friction->enter();
   take_waiting_heat();
+  for (FixSolidemTouch* touch : fixes<FixSolidemTouch>(modify)) touch->exchange(update->dt);
   for (FixSolidemTemperature* imposed : fixes<FixSolidemTemperature>(modify)) imposed->hold();
 }
 

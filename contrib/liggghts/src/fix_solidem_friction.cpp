@@ -47,27 +47,52 @@ Vector vector_of(const double* a) {
 FixSolidemFriction::FixSolidemFriction(LAMMPS* liggghts, int narg, char** arg)
     : Fix(liggghts, narg, arg),
       fraction(1.0),
+      usual_reach(0.0),
       work(0.0),
       contacts(NULL),
       stiffness(NULL),
       conduction(NULL),
       waiting_heat(NULL) {
   if (igroup != 0) error->fix_error(FLERR, this, "must be used with group 'all'");
-  for (int iarg = 3; iarg < narg; iarg += 2) {
-    const std::string key = arg[iarg];
-    if (key != "fraction")
-      error->fix_error(FLERR, this, ("unknown keyword '" + key + "': known is fraction").c_str());
-    if (iarg + 1 == narg) error->fix_error(FLERR, this, ("keyword without value: " + key).c_str());
-    fraction = force->numeric(FLERR, arg[iarg + 1]);
-    if (!(fraction >= 0.0 && fraction <= 1.0))
-      error->fix_error(
-          FLERR, this,
-          ("fraction must be from 0 to 1, but is " + std::string(arg[iarg + 1])).c_str());
-  }
+  read_arguments(narg, arg);
   scalar_flag = 1;
   global_freq = 1;
   extscalar = 1;
+  vector_flag = tools.empty() ? 0 : 1;
+  size_vector = static_cast<int>(tools.size());
+  extvector = 1;
   restart_global = 1;
+}
+
+FixSolidemFriction::~FixSolidemFriction() {
+  leave_walls(modify);
+}
+
+void FixSolidemFriction::read_arguments(int narg, char** arg) {
+  for (int iarg = 3; iarg < narg;) {
+    const std::string key = arg[iarg];
+    const int values = key == "fraction" ? 1 : key == "tool" ? 2 : 0;
+    if (values == 0)
+      error->fix_error(FLERR, this,
+                       ("unknown keyword '" + key + "': known are fraction, tool").c_str());
+    if (iarg + values >= narg)
+      error->fix_error(FLERR, this, ("keyword without value: " + key).c_str());
+    const std::string last = arg[iarg + values];
+    const double value = force->numeric(FLERR, arg[iarg + values]);
+    if (values == 1) {
+      fraction = value;
+      if (!(fraction >= 0.0 && fraction <= 1.0))
+        error->fix_error(FLERR, this, ("fraction must be from 0 to 1, but is " + last).c_str());
+    } else {
+      tools.push_back({arg[iarg + 1], value, 0.0, NULL});
+      if (!(value >= 0.0))
+        error->fix_error(
+            FLERR, this,
+            ("the effusivity of tool " + tools.back().id + " must not be negative, but is " + last)
+                .c_str());
+    }
+    iarg += 1 + values;
+  }
 }
 
 void FixSolidemFriction::post_create() {
@@ -83,17 +108,28 @@ void FixSolidemFriction::init() {
       dynamic_cast<FixSolidemConduction*>(modify->find_fix_style_strict("solidem/conduction", 0));
   if (!conduction) error->fix_error(FLERR, this, "needs a 'fix ID all solidem/conduction'");
   waiting_heat = solidem_waiting_heat(modify, atom->nlocal, style);
-  contacts = dynamic_cast<PairGran*>(force->pair_match("gran", 0));
-  if (!contacts || !contacts->contact_match("normal", "hooke/stiffness") ||
-      !contacts->contact_match("tangential", "history") || contacts->dnum() != 3)
+  find_pair_style();
+  const int walls = watch_walls(modify, error, this, conduction);
+  if (!contacts && walls == 0)
     error->fix_error(FLERR, this,
-                     "needs 'pair_style gran model hooke/stiffness tangential history' without "
-                     "further models that remember contacts");
+                     "needs 'pair_style gran model hooke/stiffness tangential history', or a fix "
+                     "wall/gran of that model, without further models that remember contacts");
+  for (Tool& tool : tools) tool.fix = find_tool(modify, error, this, tool.id);
   stiffness = static_cast<FixPropertyGlobal*>(modify->find_fix_property(
       "kt", "property/global", "peratomtypepair", atom->ntypes, atom->ntypes, style));
   require_order();
-  // As far as this pairs that part are looked at, and forget their springs.
+  // As far as this those that part are looked at, and forget their springs.
   neighbor->register_contact_dist_factor(1.01);
+}
+
+void FixSolidemFriction::find_pair_style() {
+  Pair* any = force->pair_match("gran", 0);
+  contacts = dynamic_cast<PairGran*>(any);
+  if (any && (!contacts || !contacts->contact_match("normal", "hooke/stiffness") ||
+              !contacts->contact_match("tangential", "history") || contacts->dnum() != 3))
+    error->fix_error(FLERR, this,
+                     "needs 'pair_style gran model hooke/stiffness tangential history' without "
+                     "further models that remember contacts");
 }
 
 // Fix solidem/bonds hides the bonded pairs of a new list.
@@ -103,7 +139,12 @@ void FixSolidemFriction::require_order() const {
       error->all(FLERR, "Fix solidem/friction must be defined after fix solidem/bonds");
 }
 
+// Walls look at what has parted as far as pairs do, which is not at all without a pair style: then
+// they would keep the springs.
 void FixSolidemFriction::pre_force(int) {
+  usual_reach = neighbor->cutneighmax;
+  neighbor->cutneighmax = std::max(usual_reach, neighbor->skin);
+  if (!contacts) return;
   springs.clear();
   const NeighList *list = contacts->list, *history = contacts->listgranhistory;
   for (int ii = 0; ii < list->inum; ii++) {
@@ -114,11 +155,13 @@ void FixSolidemFriction::pre_force(int) {
 }
 
 void FixSolidemFriction::post_force(int) {
+  neighbor->cutneighmax = usual_reach;
   if (conduction->leads()) enter();
 }
 
 // Two ranks list a pair that they share, for such pair styles need newton_pair off.
 void FixSolidemFriction::enter() {
+  if (!contacts) return;
   const NeighList *list = contacts->list, *history = contacts->listgranhistory;
   double* waiting = waiting_heat->vector_atom;
   const double* before = springs.data();
@@ -171,24 +214,73 @@ double FixSolidemFriction::slip_work(int i, int j, const double* before,
 }
 
 /* ----------------------------------------------------------------------
+   LIGGGHTS leaves out of the spring what points along a normal that turned,
+   the law keeps the length: the energy of that counts as slip here, too
+------------------------------------------------------------------------- */
+
+void FixSolidemFriction::see(const SolidemTouch& touch) {
+  if (!touch.slips) return;
+  const Vector along = touch.before - dot(touch.before, touch.normal) * touch.normal;
+  const double square_along = dot(along, along);
+  const Vector turned = square_along > 0.0
+                            ? sqrt(dot(touch.before, touch.before) / square_along) * along
+                            : Vector{0.0, 0.0, 0.0};
+  const Vector trial = turned + update->dt * touch.velocity;
+  const double square = dot(trial, trial);
+  if (square == 0.0) return;
+  const double kept = std::min(1.0, sqrt(dot(touch.after, touch.after) / square));
+  const double of_wall = stiffness->get_array()[atom->type[touch.i] - 1][touch.type - 1];
+  const double taken = solidem::slip_work(of_wall, kept, turned, trial);
+  work += taken;
+  double share = 1.0;
+  for (Tool& one : tools)
+    if (one.fix == touch.tool) {
+      const double own = conduction->effusivity();
+      share = own / (own + one.effusivity);
+      one.heat += (1.0 - share) * fraction * taken;
+    }
+  waiting_heat->vector_atom[touch.i] += share * fraction * taken;
+}
+
+/* ----------------------------------------------------------------------
+   of all ranks
+------------------------------------------------------------------------- */
+
+double FixSolidemFriction::total(double here) const {
+  double all;
+  MPI_Allreduce(&here, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ----------------------------------------------------------------------
    work of slip so far, J
 ------------------------------------------------------------------------- */
 
 double FixSolidemFriction::compute_scalar() {
-  double total;
-  MPI_Allreduce(&work, &total, 1, MPI_DOUBLE, MPI_SUM, world);
-  return total;
+  return total(work);
+}
+
+/* ----------------------------------------------------------------------
+   heat that the n-th tool took so far, J
+------------------------------------------------------------------------- */
+
+double FixSolidemFriction::compute_vector(int n) {
+  return total(tools[n].heat);
 }
 
 void FixSolidemFriction::write_restart(FILE* fp) {
-  const double total = compute_scalar();
-  if (comm->me != 0) return;
-  solidem_write_restart(fp, {total});
+  std::vector<double> totals;
+  for (const Tool& tool : tools) totals.push_back(total(tool.heat));
+  totals.push_back(total(work));
+  if (comm->me == 0) solidem_write_restart(fp, totals);
 }
 
 void FixSolidemFriction::restart(char* buffer) {
-  const double total = solidem_read_restart(error, this, buffer, 1)[0];
-  if (comm->me == 0) work = total;
+  const int count = static_cast<int>(tools.size());
+  const std::vector<double> totals = solidem_read_restart(error, this, buffer, count + 1);
+  if (comm->me != 0) return;
+  for (int k = 0; k < count; k++) tools[k].heat = totals[k];
+  work = totals[count];
 }
 
 double FixSolidemFriction::memory_usage() {

@@ -28,22 +28,23 @@ double solidem_checksum(const void* bytes, std::size_t count) {
 }
 
 void solidem_write_restart(FILE* fp, const std::vector<double>& numbers) {
-  const double checksum = solidem_checksum(numbers.data(), numbers.size() * sizeof(double));
-  const int bytes = static_cast<int>((numbers.size() + 1) * sizeof(double));
+  const double head[2] = {solidem_checksum(numbers.data(), numbers.size() * sizeof(double)),
+                          static_cast<double>(numbers.size())};
+  const int bytes = static_cast<int>(sizeof head + numbers.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(&checksum, sizeof(double), 1, fp);
+  fwrite(head, sizeof(double), 2, fp);
   fwrite(numbers.data(), sizeof(double), numbers.size(), fp);
 }
 
 std::vector<double> solidem_read_restart(Error* error, Fix* fix, const char* buffer, int count) {
-  double checksum;
+  double head[2];
+  memcpy(head, buffer, sizeof head);
   std::vector<double> numbers(count);
-  memcpy(&checksum, buffer, sizeof checksum);
-  memcpy(numbers.data(), buffer + sizeof checksum, count * sizeof(double));
-  if (checksum != solidem_checksum(numbers.data(), count * sizeof(double)))
+  if (head[1] == count) memcpy(numbers.data(), buffer + sizeof head, count * sizeof(double));
+  if (head[1] != count || head[0] != solidem_checksum(numbers.data(), count * sizeof(double)))
     error->fix_error(FLERR, fix,
-                     "the restart file is damaged, or of another version: what this fix wrote into "
-                     "it does not match its checksum");
+                     "the restart file is damaged, or of another version, or this fix has other "
+                     "words now: what this fix wrote into it does not match its checksum");
   return numbers;
 }
 
