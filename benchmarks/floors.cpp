@@ -199,7 +199,7 @@ json of_a_flowing_slot() {
   const auto flow =
       solidem::beam_flow<solidem::FlowRule::radial_return>(curve, beam, bond.history.strain, posed);
   const Vector last_chord = rotate(turned, vector(1, 0, 0) - vector(0, 0, 0));
-  const auto last = last_modes(kind, bond, turned, last_chord, turned * turned);
+  const auto last = last_beam(kind, bond, turned, last_chord, turned * turned);
   const auto response = flowed_response(beam, bond.history, posed, flow, last);
   add(response.load);
   Counted work(0);
