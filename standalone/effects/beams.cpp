@@ -81,8 +81,7 @@ std::vector<const Column*> Beams::columns(const BeamDemands& demands, bool perio
 }
 
 Beams::Beams(const BeamDemands& demands, const std::vector<double>& mass, Model& model)
-    : demands_(demands),
-      properties_(demands.elasticity, model.specimen(), demands.yield()) {
+    : demands_(demands), properties_(demands.elasticity, model.specimen(), demands.yield()) {
   const Specimen& specimen = model.specimen();
   section_ = properties_.common_section();
   rigidity_ = properties_.rigidity(section_, 1);

@@ -126,12 +126,12 @@ inline PosedBeam<Real, Turned> posed_beam(Kind kind, const Motion& m, const Slot
           other_turned};
 }
 
-/// The bond in the last pose, of the shape that it remembers now. `chord`, `other_turned`: chord and
-/// orientation of the neighbour then, turned with the element to where it stands now.
+/// The bond in the last pose, of the shape that it remembers now. `chord`, `other_turned`: chord
+/// and orientation of the neighbour then, turned with the element to where it stands now.
 template <class Kind, class Real>
 inline LastBeam<Real> last_beam(Kind kind, const BondNow<Real>& bond,
-                                  const Quaternion<Real>& turned, const Vector3<Real>& chord,
-                                  const Quaternion<Real>& other_turned) {
+                                const Quaternion<Real>& turned, const Vector3<Real>& chord,
+                                const Quaternion<Real>& other_turned) {
   BeamPose<Real> pose = bond.pose;
   pose.chord = chord;
   if (kind.has_rotation) {

@@ -303,8 +303,7 @@ EffectKind expansion_kind() {
 }
 
 EffectKind softening_kind() {
-  EffectKind kind =
-      kind_of_warm_beams<SofteningParameters>("softening", softening_keys);
+  EffectKind kind = kind_of_warm_beams<SofteningParameters>("softening", softening_keys);
   kind.plan = plan_softening;
   kind.explain = [](const Setup& setup, const Specimen& /*specimen*/,
                     nlohmann::ordered_json& json) {

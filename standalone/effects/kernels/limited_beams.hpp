@@ -54,8 +54,8 @@ inline LastBeam<Pack> last_of(Kind kind, const BeamMotion& m, const SlotPlace& s
                               const OwnLastEnds& own_last) {
   const Row other = Row::gather(m.last_pose, m.neighbour + slot.of(1));
   return last_beam(kind, bond, own.turned,
-                    rotate(own_last.rotation, chord_to(m, slot, own_last.position, other)),
-                    own_last.turn * orientation(other));
+                   rotate(own_last.rotation, chord_to(m, slot, own_last.position, other)),
+                   own_last.turn * orientation(other));
 }
 
 /// Temperature of bonds, where it counts: the mean of their ends'.
