@@ -190,16 +190,17 @@ def effects() -> list[str]:
         return []
     lines = ["## What each effect costs", "",
              "One scene, effects switched on one by one: time of a step over that without it (medians, and "
-             "the range, of runs in turn; processor time), bytes an element. *off again* is the same "
+             "the range, of runs in turn; processor time, in LIGGGHTS wall time of the steps), bytes an element. *off again* is the same "
              "scene once more: how far such figures can be trusted on the machine that they were measured "
              "on. What a scene does not name has no column and no loop: 0 bytes ([effects.csv]"
              "(accuracy_cost/effects.csv)). `solidem explain` tells columns and cost of your scene on "
              "your machine.", "",
-             "| | effect | time of a step | from – to | bytes an element |", "|---|---|---|---|---|"]
+             "| code | of | effect | time of a step | from – to | bytes an element |", "|---|---|---|---|---|---|"]
     for row in rows:
-        lines.append(f"| {row['base']} | {row['effect']} | {factor(float(row['time_ratio']))} | "
+        memory = row["more_bytes_per_element"]
+        lines.append(f"| {row['code']} | {row['base']} | {row['effect']} | {factor(float(row['time_ratio']))} | "
                      f"{factor(float(row['least_ratio']))} – {factor(float(row['most_ratio']))} | "
-                     f"{float(row['more_bytes_per_element']):+.0f} |")
+                     f"{f'{float(memory):+.0f}' if memory else ''} |")
     return [*lines, ""]
 
 

@@ -21,11 +21,15 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from benchmarks.effects.scenes import (BEAM_EFFECTS, BEAMS, CENTRAL, CENTRAL_EFFECTS, SPECIMEN, scene)
+from benchmarks.effects.scenes import (BEAM_EFFECTS, BEAMS, CENTRAL, CENTRAL_EFFECTS, COUPLED_EFFECTS, FLOWING,
+                                       MAY_FLOW, SPECIMEN, scene)
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("SOLIDEM_PROGRAM", str(ROOT / "build" / "release" / "solidem"))
-BASES = {"beams": (BEAMS, BEAM_EFFECTS), "central forces": (CENTRAL, CENTRAL_EFFECTS)}
+BASES = {"beams": (BEAMS, BEAM_EFFECTS),
+         "beams that may flow": (MAY_FLOW, COUPLED_EFFECTS),
+         "beams that flow": (FLOWING, COUPLED_EFFECTS),
+         "central forces": (CENTRAL, CENTRAL_EFFECTS)}
 
 
 def processor_seconds(words: list[str], folder: Path) -> float:
@@ -109,15 +113,18 @@ def main() -> int:
     parser.add_argument("--elements", type=int, default=4000)
     parser.add_argument("--steps", type=int, default=1000)
     parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("bases", nargs="*", metavar="BASE", help=", ".join(BASES) + "; all if none is named")
     parser.add_argument("--liggghts", action="store_true", help="in LIGGGHTS as well")
     parser.add_argument("--folder", type=Path, default=ROOT / "results" / "effects")
     given = parser.parse_args()
+    if unknown := [name for name in given.bases if name not in BASES]:
+        parser.error(f"unknown base {unknown[0]!r}; known: {', '.join(BASES)}")
     os.environ["OMP_NUM_THREADS"] = "1"
     given.folder.mkdir(parents=True, exist_ok=True)
     (given.folder / "body.toml").write_text(SPECIMEN.replace("$elements", str(given.elements)))
     processor_seconds(["specimen", "body.toml", "--output", "bar.h5", "--overwrite"], given.folder)
     rows = []
-    for name in BASES:
+    for name in given.bases or BASES:
         found = measured(name, given.steps, given.rounds, given.folder)
         if given.liggghts:
             found += in_liggghts(name, max(1, given.steps // 10), given.rounds, given.folder.resolve())

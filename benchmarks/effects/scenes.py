@@ -55,6 +55,14 @@ region = { axis = "x", side = "low", layers = 1 }
 value = { time = ["0 us", "1 ms"], value = ["296 K", "396 K"] }
 """
 
+#: A bar that stretches evenly, so fast that nearly every bond flows in each step.
+STRETCHED = """
+[[initial_velocities]]
+region = { all = true }
+velocity = ["2.5 m/s", "0 m/s", "0 m/s"]
+stretching = ["1000 1/s", "-500 1/s", "-500 1/s"]
+"""
+
 DAMPING = '\n[damping]\nviscous = "100 1/s"\n'
 GRAVITY = '\n[gravity]\nacceleration = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]\n'
 PLASTICITY = "\n[plasticity]\nyield_strain = $yield\nhardening_ratio = 0.007\n"
@@ -72,6 +80,11 @@ shape = "plane"
 normal = [0, 0, 1]
 origin = ["0 mm", "0 mm", "-1 mm"]
 """
+
+
+def coupled(every: int) -> str:
+    """Heat of plastic work that is conducted, expands, and steps once in so many steps of the motion."""
+    return heat(every) + "\n[expansion]\n[plastic_heat]\nfraction = 0.9\n"
 
 
 def heat(every: int) -> str:
@@ -98,6 +111,15 @@ BEAM_EFFECTS: dict[str, str] = {
     "heat and expansion, each hundredth": heat(100) + "\n[expansion]\n",
 }
 
+MAY_FLOW = BEAMS + PLASTICITY.replace("$yield", "0.5")
+FLOWING = BEAMS + PLASTICITY.replace("$yield", "1e-4") + STRETCHED
+
+COUPLED_EFFECTS: dict[str, str] = {
+    "off again": "",
+    "heat of flow, conduction, expansion, each hundredth": coupled(100),
+    "heat of flow, conduction, expansion, each thousandth": coupled(1000),
+}
+
 CENTRAL_EFFECTS: dict[str, str] = {
     "off again": "",
     "dissipation": "=" + CENTRAL + 'dissipation = "0.08 N s/m"\n',
@@ -113,4 +135,5 @@ CENTRAL_EFFECTS: dict[str, str] = {
 def scene(base: str, effect: str, steps: int) -> str:
     """The base with one effect."""
     law, more = (effect[1:], "") if effect.startswith("=") else (base, effect)
-    return f"{BAR}{law}{more}\n[run]\nsteps = {steps}\nobserve_every = {steps}\n[output]\nframes = 0\n"
+    bar = BAR.replace("0.5 m/s", "5 m/s") if STRETCHED in law else BAR
+    return f"{bar}{law}{more}\n[run]\nsteps = {steps}\nobserve_every = {steps}\n[output]\nframes = 0\n"
