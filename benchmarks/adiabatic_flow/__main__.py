@@ -27,7 +27,7 @@ import numpy as np
 
 from . import pictures
 from .blocks import BODY, ROOT, SEEDS, Flow, calibrated, loaded, scene, without_softening
-from .law import TESTS, law_alone
+from .law import TESTS, energies_alone, law_alone
 
 #: Time step over the stable one, and factor of the masses.
 STEPS = [(ratio, 1.0) for ratio in (0.1, 0.3, 0.5, 0.7, 0.9)] + [(0.5, 4.0), (0.5, 16.0), (0.5, 64.0)]
@@ -79,6 +79,25 @@ def tell_rises(bodies: Any, hard: Any, path: Path) -> None:
     print("| root mean square | | | " + " | ".join(
         f"{root_mean_square(values, measured):.2f}" for values in (thesis, alone, mean))
         + f" | | {root_mean_square(hard.mean(axis=0), measured):.2f} |")
+
+
+def tell_account(found: dict[tuple[str, int, int], Flow]) -> None:
+    """Why blocks warm otherwise than the law alone, of the plastic work of that."""
+    print("\n| start, rate | strain | blocks over law | by work of the middle | stored in bonds | left | "
+          "stored over that of the mean stress |\n|" + "---|" * 7)
+    for t, test in enumerate(TESTS):
+        work, elastic = energies_alone(test)
+        plastic = work - elastic
+        flows = [found["law", t, seed] for seed in SEEDS]
+        rises, spent, stored = (np.mean([getattr(one, name) for one in flows], axis=0)
+                                for name in ("rises", "work", "stored"))
+        over = rises / law_alone(test) - 1
+        by_work, by_store = (spent - work) / plastic, (elastic - stored) / plastic
+        for k, strain in enumerate(test.strain):
+            print(f"| {test.label} | {strain:g} | " + " | ".join(
+                f"{100 * part[k]:+.1f} %" for part in (over, by_work, by_store,
+                                                       over - by_work - by_store))
+                + f" | {stored[k] / elastic[k]:.2f} |")
 
 
 def tell_steps(folder: Path, body: str, load: str, path: Path) -> None:
@@ -137,6 +156,7 @@ def main() -> None:
         found = all_flows(folder, words.elements, beams, words.load, words.workers)
     bodies = rises_of(found, "law")
     tell_rises(bodies, rises_of(found, "hard"), words.output / "rises.csv")
+    tell_account(found)
     pictures.draw_rises(bodies.mean(axis=0), bodies.std(axis=0, ddof=1),
                         words.output / "rises.png")
     pictures.draw_stresses(found, words.output / "stresses.png")

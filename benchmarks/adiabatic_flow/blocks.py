@@ -105,6 +105,8 @@ class Flow:
     rises: Any  #: heat of the gauge section over its capacity at the strains of the table, K
     strain: Any  #: logarithmic, of the gauge section
     stress: Any  #: true, on the section of a constant volume, Pa
+    work: Any  #: of the stress along the strain of the gauge section at the same strains, J/m³
+    stored: Any  #: elastic energy of the bonds over the volume between the grips, likewise
     heat_gap: float  #: between heat and β times the plastic work, over the work done
     energy_gap: float  #: between all energies and the work, over the work done
     in_motion: float  #: energy of motion at the end, over the work done
@@ -178,11 +180,16 @@ def read_flow(folder: Path, test: Test, sign: int, cells: Any) -> Flow:
         moments = np.array([frame.attrs["time"] for frame in frames])
         means = np.array([np.average(np.array(frame["temperature"])[inside], weights=cells[inside])
                           for frame in frames])
-    at = np.interp(np.interp(test.strain, strain, column["time"]), moments, means)
+    reached = np.interp(test.strain, strain, column["time"])
+    at = np.interp(reached, moments, means)
+    stress = sign * column["gauge.stress"] * (1 + column["gauge.strain"])
+    spent = np.append(0, np.cumsum(0.5 * (stress[1:] + stress[:-1]) * np.diff(strain)))
+    stored = column["elastic_energy"] / (cells.sum() * (1 - GRIPS / LENGTH))
     work = column["external_work"][-1]
     heat = column["thermal_energy"] + column["waiting_heat"]
     heat -= heat[0] - TAYLOR_QUINNEY * column["plastic_work"][0]
-    return Flow(at - test.start, strain, sign * column["gauge.stress"] * (1 + column["gauge.strain"]),
+    return Flow(at - test.start, strain, stress,
+                *(np.interp(reached, column["time"], values) for values in (spent, stored)),
                 float(np.abs(heat - TAYLOR_QUINNEY * column["plastic_work"]).max() / work),
                 float(np.abs(column["energy_balance"]).max() / work),
                 float(column["kinetic_energy"][-1] / work))

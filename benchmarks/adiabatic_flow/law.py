@@ -67,3 +67,12 @@ def law_alone(test: Test) -> Any:
     """Rises at the strains of the table, K."""
     strains, _, rise = adiabatic(test)
     return np.interp(test.strain, strains, rise)
+
+
+def energies_alone(test: Test) -> tuple[Any, Any]:
+    """Work and elastic energy at the strains of the table, J/m³."""
+    strains, stress, _ = adiabatic(test)
+    before, least = np.append(0, stress[:-1]), np.diff(strains, prepend=0)
+    work = np.cumsum(0.5 * (before + stress) * least)
+    return (np.interp(test.strain, strains, work),
+            np.interp(test.strain, strains, stress) ** 2 / (2 * MODULUS))

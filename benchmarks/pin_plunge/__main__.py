@@ -2,11 +2,12 @@
 """The pin plunge of Terreros 2013 (figure 4.12): a threaded pin goes half a millimetre into a plate
 of aluminium at 1000 rev/min and .25 m/s, smooth and rubbing.
 
-    /usr/bin/python3 -m benchmarks.pin_plunge [--elements 20000] [--factor 6400] [--study 2600]
-        [--threads 2] [--output results/pin_plunge]
+    /usr/bin/python3 -m benchmarks.pin_plunge [--elements 20000] [--factor 6400] [--ratio 0.5]
+        [--study 2600] [--threads 2] [--output results/pin_plunge]
 
-Bonds are calibrated first, then the plate of the given size is run, smooth and rubbing, and a smaller
-one with other factors of mass, time steps and packings, which tells what the factor errs by. Runs that
+Bonds are calibrated first, then the plate of the given size is run, smooth and rubbing, with a time
+step of `--ratio` of the stable one, and a smaller one with other factors of mass, time steps and
+packings, which tells what the factor and the step err by. Runs that
 were finished are kept, those that were stopped go on from their checkpoint. Needs the Python module.
 In the folder: books.csv (a line for each run), force_depth.png, temperature.png, plunge.gif, and a
 folder for each run.
@@ -69,12 +70,13 @@ def finished(case: Case, folder: Path, beams: str, threads: int) -> Path:
     return results
 
 
-def cases(elements: int, factor: float, study: int) -> list[Case]:
+def cases(elements: int, factor: float, ratio: float, study: int) -> list[Case]:
     """The two that count, then those that tell how far they can be trusted."""
-    small = [Case(study, factor / change, frames=10) for change in (1, 4, 16)]
-    return [Case(elements, factor), Case(elements, factor, rubs=True), *small,
-            Case(study, factor, rubs=True, frames=10),
-            Case(study, factor, ratio=0.25, frames=10),
+    large = [Case(elements, factor, rubs=rubs, ratio=ratio) for rubs in (False, True)]
+    lighter = [Case(study, factor / change, frames=10) for change in (1, 4, 16)]
+    finer = [Case(study, factor, rubs=rubs, ratio=fine, frames=10)
+             for rubs in (False, True) for fine in (0.5, 0.25, 0.125, 0.1)]
+    return [*large, *lighter, *finer[1:],  # the first is one of the lighter
             *(Case(study, factor, seed=seed, frames=10) for seed in (2, 3))]
 
 
@@ -98,6 +100,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n", maxsplit=1)[0])
     parser.add_argument("--elements", type=int, default=20000)
     parser.add_argument("--factor", type=float, default=6400, help="of the masses")
+    parser.add_argument("--ratio", type=float, default=0.5, help="time step over the stable one")
     parser.add_argument("--study", type=int, default=2600, help="elements of the smaller plate")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--output", type=Path, default=ROOT / "results" / "pin_plunge")
@@ -107,12 +110,13 @@ def main() -> None:
     beams = calibrated(folder, words.threads)
     rows, folders = [], {}
     print(HEAD)
-    for case in cases(words.elements, words.factor, words.study):
+    for case in cases(words.elements, words.factor, words.ratio, words.study):
         folders[case] = finished(case, folder, beams, words.threads)
         rows.append(books_of(case, folders[case]))
         print(line(rows[-1]), flush=True)
         write_books(rows, folder / "books.csv")
-    pictures.force_over_depth(pictures.labelled(folders, words.factor), folder / "force_depth.png")
+    pictures.force_over_depth(pictures.labelled(folders, words.factor, words.ratio),
+                              folder / "force_depth.png")
     large = pictures.largest(folders)
     pictures.warm_plates(large, folder / "temperature.png")
     pictures.film(large[0], folder / "plunge.gif")

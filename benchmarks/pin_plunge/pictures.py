@@ -54,11 +54,11 @@ def film(folder: Path, path: Path) -> None:
     write_film(folder, VIEW, path, width=360)
 
 
-def labelled(cases: dict[Case, Path], factor: float) -> dict[str, Path]:
+def labelled(cases: dict[Case, Path], factor: float, ratio: float) -> dict[str, Path]:
     """The runs that count, of every size, by what they are."""
     return {f"{case.elements} elements, {'rubbing' if case.rubs else 'smooth'}": folder
             for case, folder in cases.items()
-            if (case.factor, case.ratio, case.seed) == (factor, 0.5, 1)}
+            if (case.factor, case.ratio, case.seed) == (factor, ratio, 1)}
 
 
 def largest(cases: dict[Case, Path]) -> list[Path]:

@@ -28,6 +28,13 @@ def test_an_adiabatic_point_keeps_its_heat() -> None:
     assert heat == pytest.approx(law.TAYLOR_QUINNEY * work, rel=1e-4)
 
 
+def test_what_work_is_not_elastic_warms_the_point_at_every_strain() -> None:
+    for test in law.TESTS:
+        work, elastic = law.energies_alone(test)
+        heat = law.DENSITY * law.CAPACITY * law.law_alone(test)
+        assert heat == pytest.approx(law.TAYLOR_QUINNEY * (work - elastic), rel=1e-3)
+
+
 def test_without_softening_only_hardening_is_left() -> None:
     flow = tomllib.loads(blocks.without_softening(blocks.BEAMS))["plasticity"]
     assert set(flow) == {"section", "hardening", "yield_stress", "hardening_stress",
