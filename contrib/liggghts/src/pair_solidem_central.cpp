@@ -199,7 +199,7 @@ PairSolidemCentral::Seen PairSolidemCentral::see(int i, int j) const {
   seen.distance = std::sqrt(square);
   // Between two atoms at one place no force has a direction.
   seen.inside = seen.distance < settings_.range * (atom->radius[i] + atom->radius[j]) &&
-                square > solidem::tiny_square<double> &&
+                square > solidem::tiny_square &&
                 !(damage_ && (damage_->is_removed(i) || damage_->is_removed(j)));
   return seen;
 }
@@ -218,7 +218,7 @@ double PairSolidemCentral::single(int i, int j, int, int, double square, double,
   force_over_distance = 0.0;
   const double range = settings_.range * (atom->radius[i] + atom->radius[j]);
   const double distance = std::sqrt(square);
-  if (!(distance < range) || !(square > solidem::tiny_square<double>)) return 0.0;
+  if (!(distance < range) || !(square > solidem::tiny_square)) return 0.0;
   if (damage_ && (damage_->is_removed(i) || damage_->is_removed(j))) return 0.0;
   const double rest = equilibrium(i, j);
   if (settings_.fixed_neighbours && memory_->initial_distance(i, atom->tag[j]) == 0.0) return 0.0;

@@ -36,7 +36,7 @@ inline Pairs see(const SolidemCentralPacks& m, int first, const Row& i, const Ro
   pairs.equilibrium = number_of(m.equilibrium, first);
   // Between two atoms at one place no force has a direction.
   pairs.inside = both(greater(Pack(m.range) * (i.component[3] + j.component[3]), pairs.distance),
-                      greater(square, Pack(solidem::tiny_square<double>)));
+                      greater(square, Pack(solidem::tiny_square)));
   return pairs;
 }
 
