@@ -52,7 +52,7 @@ every = $every
 [[temperatures]]
 name = "hot"
 region = { axis = "x", side = "low", layers = 1 }
-value = { time = ["0 us", "1 ms"], value = ["296 K", "396 K"] }
+value = "396 K"
 """
 
 #: A bar that stretches evenly, so fast that nearly every bond flows in each step.
