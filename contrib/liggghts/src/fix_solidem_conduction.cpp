@@ -50,6 +50,7 @@ FixSolidemConduction::FixSolidemConduction(LAMMPS* liggghts, int narg, char** ar
       step_of_capacities(-1.0),
       checked_step(-1.0),
       leads_(false),
+      leaves_forces_(false),
       contacts_heat_(false),
       every_(1),
       waited_(0),
@@ -215,11 +216,13 @@ void FixSolidemConduction::setup_pre_force(int) {
 void FixSolidemConduction::setup(int) {
   require_temperatures();
   require_stable_step();
+  leave_forces(!somebody_acts());
 }
 
 // Indices of atoms hold until the neighbour lists are built anew.
 void FixSolidemConduction::pre_force(int) {
   if (neighbor->ago == 0) build_conductors();
+  if (neighbor->ago == 0 && leaves_forces_) clear_forces();
   std::fill_n(heat_flux->vector_atom, atom->nlocal + atom->nghost, 0.0);
 }
 
@@ -349,7 +352,41 @@ void FixSolidemConduction::build_conductors() {
       conductors.push_back(
           {i, j, solidem::path_conductance(conductivity, area(i, m, j), distance)});
     }
+  lay_out_conductors();
   step_of_capacities = -1.0;
+}
+
+// In the order of the bonds, for each atom.
+void FixSolidemConduction::lay_out_conductors() {
+  const int nlocal = atom->nlocal, blocks = (nlocal + 7) / 8;
+  std::vector<int> sides(8 * blocks, 0);
+  for (const Conductor& bond : conductors) {
+    sides[bond.i]++;
+    if (bond.j < nlocal) sides[bond.j]++;
+  }
+  first_row.assign(1, 0);
+  for (int block = 0; block < blocks; block++)
+    first_row.push_back(first_row.back() + *std::max_element(sides.begin() + 8 * block,
+                                                             sides.begin() + 8 * block + 8));
+  row_conductance.assign(first_row.back(), SolidemRow());
+  neighbour.resize(8 * first_row.back());
+  for (int block = 0; block < blocks; block++)
+    for (int slot = 8 * first_row[block]; slot < 8 * first_row[block + 1]; slot++)
+      neighbour[slot] = std::min(8 * block + slot % 8, nlocal - 1);
+  std::fill(sides.begin(), sides.end(), 0);
+  const auto add = [&](int i, int j, double conductance) {
+    const int row = first_row[i / 8] + sides[i]++;
+    neighbour[8 * row + i % 8] = j;
+    row_conductance[row].number[i % 8] = conductance;
+  };
+  outward.clear();
+  for (const Conductor& bond : conductors) {
+    add(bond.i, bond.j, bond.conductance);
+    if (bond.j < nlocal)
+      add(bond.j, bond.i, bond.conductance);
+    else if (force->newton_bond)
+      outward.push_back(bond);
+  }
 }
 
 // Transmission area of bond m of atom i, which leads to atom j.
@@ -436,6 +473,8 @@ int FixSolidemConduction::maxsize_restart() {
   return values->maxsize_restart();
 }
 double FixSolidemConduction::memory_usage() {
-  return values->memory_usage() + conductors.capacity() * sizeof(Conductor) +
+  return values->memory_usage() + (conductors.capacity() + outward.capacity()) * sizeof(Conductor) +
+         (first_row.capacity() + neighbour.capacity()) * sizeof(int) +
+         row_conductance.capacity() * sizeof(SolidemRow) +
          step_over_capacity.capacity() * sizeof(double);
 }

@@ -23,6 +23,7 @@ FixStyle(solidem/conduction,FixSolidemConduction)
 
 #include "fix.h"
 #include "solidem_bond_values.h"
+#include "solidem_kernels.h"
 
 namespace LAMMPS_NS {
 
@@ -48,6 +49,7 @@ class FixSolidemConduction : public Fix {
   void pre_force(int);
   void post_force(int);
   void final_integrate();
+  void post_run();
   double compute_scalar();
   double extend_cut_ghost();
 
@@ -88,10 +90,14 @@ class FixSolidemConduction : public Fix {
   double*** bond_value;    // [local atom][bond]: distance (0 until seen), area (law voronoi)
   SolidemBondValues* values;
   std::vector<Conductor> conductors;
+  std::vector<int> first_row, neighbour;  // of blocks of eight local atoms: SolidemConductors
+  std::vector<SolidemRow> row_conductance;
+  std::vector<Conductor> outward;          // whose other side is told to the rank that owns it
   std::vector<double> step_over_capacity;  // of local atoms, K/W
   double step_of_capacities;               // s; negative: not known
   double checked_step;                     // of the motion, that is known to be stable, s
   bool leads_;
+  bool leaves_forces_;  // as they are, for nobody acts on them
   bool contacts_heat_;  // by friction, or through what touches
   int every_;           // steps of the motion from one step of heat to the next
   int waited_;          // steps of the motion since heat last stepped
@@ -109,6 +115,7 @@ class FixSolidemConduction : public Fix {
   void count_bonds();
   void scale_capacities();
   void build_conductors();
+  void lay_out_conductors();
   double area(int, int, int) const;
   void find_steps(double);
   void find_what_bonds_ask();
@@ -116,6 +123,9 @@ class FixSolidemConduction : public Fix {
   void take_heat_of_contacts();
   double pass();
   void conduct();
+  bool somebody_acts() const;
+  void leave_forces(bool);
+  void clear_forces();
   void step(double);
   void require_temperatures() const;
   void require_stable_step();

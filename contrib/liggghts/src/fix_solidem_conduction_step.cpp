@@ -19,6 +19,8 @@
 // With `every` above 1 heat steps once in so many steps of the motion, over all of the time that
 // they took, and with the last one before the run's end, which `run ... stop` may put beyond it.
 // That is always before the forces: what flow makes and what bonds see of it wait in between.
+#include <string.h>
+
 #include <algorithm>
 
 #include "atom.h"
@@ -30,13 +32,22 @@
 #include "fix_solidem_temperature.h"
 #include "fix_solidem_touch.h"
 #include "force.h"
+#include "integrate.h"
 #include "modify.h"
 #include "solidem_waiting_heat.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
+using namespace FixConst;
 
 namespace {
+
+// Names the member that says whether somebody else sets forces to zero, which is for heirs alone.
+struct Heir : public Integrate {
+  static int& cleared_elsewhere(Integrate* integrate) {
+    return integrate->*(&Heir::external_force_clear);
+  }
+};
 
 template <class Style>
 std::vector<Style*> fixes(Modify* modify) {
@@ -114,18 +125,50 @@ void FixSolidemConduction::take_heat_of_contacts() {
 }
 
 void FixSolidemConduction::conduct() {
-  const int nlocal = atom->nlocal;
-  const bool newton_bond = force->newton_bond;
   const double* temp = temperature->vector_atom;
   double* flux = heat_flux->vector_atom;
-
   temperature->do_forward_comm();
-  for (const Conductor& bond : conductors) {
-    const double power = bond.conductance * (temp[bond.j] - temp[bond.i]);
-    flux[bond.i] += power;
-    if (newton_bond || bond.j < nlocal) flux[bond.j] -= power;
+  solidem_kernels().conduct(
+      {atom->nlocal, first_row.data(), neighbour.data(), row_conductance.data(), temp, flux});
+  for (const Conductor& bond : outward)
+    flux[bond.j] -= bond.conductance * (temp[bond.j] - temp[bond.i]);
+  if (force->newton_bond) heat_flux->do_reverse_comm();
+}
+
+// Whether there may be forces, or motion. Where heat is conducted and nothing else happens,
+// LIGGGHTS would take a quarter of the time to set forces to zero that are zero already.
+bool FixSolidemConduction::somebody_acts() const {
+  if (force->pair || force->bond || force->angle || force->dihedral || force->improper ||
+      force->kspace)
+    return true;
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix* fix = modify->fix[k];
+    const bool is_of_heat = strcmp(fix->style, "solidem/conduction") == 0 ||
+                            strcmp(fix->style, "solidem/temperature") == 0 ||
+                            strcmp(fix->style, "solidem/exchange") == 0;
+    const int acts = PRE_FORCE | POST_FORCE | INITIAL_INTEGRATE | FINAL_INTEGRATE;
+    if (fix->time_integrate || (!is_of_heat && (modify->fmask[k] & acts))) return true;
   }
-  if (newton_bond) heat_flux->do_reverse_comm();
+  return false;
+}
+
+// Of atoms that have come.
+void FixSolidemConduction::clear_forces() {
+  const int all = 3 * (atom->nlocal + atom->nghost);
+  if (all == 0) return;
+  std::fill_n(atom->f[0], all, 0.0);
+  if (atom->torque_flag) std::fill_n(atom->torque[0], all, 0.0);
+}
+
+// Unless another fix leaves them already.
+void FixSolidemConduction::leave_forces(bool leave) {
+  int& external = Heir::cleared_elsewhere(update->integrate);
+  if (leave == leaves_forces_ || (leave && external)) return;
+  external = leaves_forces_ = leave;
+}
+
+void FixSolidemConduction::post_run() {
+  leave_forces(false);
 }
 
 void FixSolidemConduction::final_integrate() {

@@ -19,6 +19,7 @@
 #include "fix_property_atom.h"
 #include "fix_solidem_conduction.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "solidem_number.h"
 #include "solidem_restart.h"
 
@@ -62,13 +63,23 @@ void FixSolidemTemperature::init() {
 // its initial value. Heat counts from the first step on: what the start takes is the initial
 // condition's. While heat waits, the temperature is that of its last step.
 void FixSolidemTemperature::setup_pre_force(int step) {
+  find_held();
   setup(step);
+}
+
+void FixSolidemTemperature::pre_force(int) {
+  if (neighbor->ago == 0) find_held();
+}
+
+void FixSolidemTemperature::find_held() {
+  held.clear();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) held.push_back(i);
 }
 
 void FixSolidemTemperature::setup(int) {
   if (!conduction->waits()) target = imposed->temperature();
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) temperature->vector_atom[i] = target;
+  for (const int i : held) temperature->vector_atom[i] = target;
 }
 
 void FixSolidemTemperature::end_of_step() {
@@ -81,20 +92,13 @@ void FixSolidemTemperature::move_on() {
 }
 
 void FixSolidemTemperature::hold() {
-  heat_supplied += impose();
-}
-
-double FixSolidemTemperature::impose() {
-  double heat = 0.0, total;
+  double heat = 0.0;
   double* temp = temperature->vector_atom;
-  const int *mask = atom->mask, nlocal = atom->nlocal;
-  for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
+  for (const int i : held) {
     heat += conduction->heat_capacity(i) * (target - temp[i]);
     temp[i] = target;
   }
-  MPI_Allreduce(&heat, &total, 1, MPI_DOUBLE, MPI_SUM, world);
-  return total;
+  heat_supplied += heat;
 }
 
 /* ----------------------------------------------------------------------
@@ -102,16 +106,19 @@ double FixSolidemTemperature::impose() {
 ------------------------------------------------------------------------- */
 
 double FixSolidemTemperature::compute_scalar() {
-  return heat_supplied;
+  double total;
+  MPI_Allreduce(&heat_supplied, &total, 1, MPI_DOUBLE, MPI_SUM, world);
+  return total;
 }
 
 void FixSolidemTemperature::write_restart(FILE* fp) {
+  const double total = compute_scalar();
   if (comm->me != 0) return;
-  solidem_write_restart(fp, {heat_supplied, target});
+  solidem_write_restart(fp, {total, target});
 }
 
 void FixSolidemTemperature::restart(char* buffer) {
   const std::vector<double> kept = solidem_read_restart(error, this, buffer, 2);
-  heat_supplied = kept[0];
+  if (comm->me == 0) heat_supplied = kept[0];
   target = kept[1];
 }

@@ -18,6 +18,8 @@ FixStyle(solidem/temperature,FixSolidemTemperature)
 #ifndef LMP_FIX_SOLIDEM_TEMPERATURE_H
 #define LMP_FIX_SOLIDEM_TEMPERATURE_H
 
+#include <vector>
+
 #include "fix.h"
 
 namespace LAMMPS_NS {
@@ -31,8 +33,8 @@ class FixSolidemTemperature : public Fix {
   int setmask();
   void init();
   void setup_pre_force(int);
+  void pre_force(int);
   void setup(int);
-  void pre_force(int) {}
   void end_of_step();
   double compute_scalar();
   /// Gives the group the temperature that it has had since the last step; that of the present step.
@@ -44,11 +46,12 @@ class FixSolidemTemperature : public Fix {
  private:
   class SolidemNumber* imposed;  // K
   double target;                 // what was imposed last, K; heat that waits keeps it
-  double heat_supplied;          // of all ranks, J
+  double heat_supplied;          // this rank's share, J
+  std::vector<int> held;         // local atoms of the group
   class FixSolidemConduction* conduction;
   class FixPropertyAtom* temperature;
 
-  double impose();
+  void find_held();
 };
 
 }  // namespace LAMMPS_NS

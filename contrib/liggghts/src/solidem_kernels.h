@@ -72,10 +72,22 @@ struct SolidemCentralPacks {
   double interactions, compression_ratio, power;
 };
 
+/// Pairs of atoms that conduct, each with both of its sides: rows of one neighbour for each of
+/// eight atoms that follow one another. Where there is none stands the atom itself.
+struct SolidemConductors {
+  int atoms;
+  const int* first_row;           ///< of eight atoms; then where the last end
+  const int* neighbour;           ///< of eight atoms
+  const SolidemRow* conductance;  ///< to it, W/K
+  const double* temperature;      ///< of all atoms, K
+  double* flux;                   ///< of atoms, added to, W
+};
+
 /// The loops that take nearly all of the time of a run, compiled for one instruction set.
 struct SolidemKernels {
   void (*act)(SolidemBeamPacks&);
   void (*move)(const SolidemMovingAtoms&);
+  void (*conduct)(const SolidemConductors&);
   void (*const* pull)(SolidemCentralPacks&);  ///< by laws in the order of CentralLaws
 };
 

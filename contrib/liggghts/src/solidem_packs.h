@@ -15,13 +15,14 @@
 
 #include "solidem_packs_of_atoms.h"
 #include "solidem_packs_of_bonds.h"
+#include "solidem_packs_of_conductors.h"
 #include "solidem_packs_of_pairs.h"
 
 namespace LAMMPS_NS {
 namespace SOLIDEM_INSTRUCTION_SET {
 
 extern const SolidemKernels kernels;
-const SolidemKernels kernels = {act, move, PullByLaw<solidem::CentralLaws>::entries};
+const SolidemKernels kernels = {act, move, conduct, PullByLaw<solidem::CentralLaws>::entries};
 
 }  // namespace SOLIDEM_INSTRUCTION_SET
 }  // namespace LAMMPS_NS
