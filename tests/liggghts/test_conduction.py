@@ -170,3 +170,23 @@ def test_an_unstable_step_is_told(liggghts: Liggghts, tmp_path: Path, newton: st
         liggghts.run(tmp_path, script + f"timestep {1.03 * limit:.17g}\nrun 5\n")
     told = str(failure.value).split("steps below ")[1].split()[0]
     assert float(told) == pytest.approx(limit, rel=0.02)
+
+
+def test_a_body_that_moves_after_heat_alone_feels_its_forces_once(
+    liggghts: Liggghts, tmp_path: Path
+) -> None:
+    """While heat is all that happens forces are not set to zero; afterwards they are, in each step."""
+    body = simple_cubic((4, 3, 3), RADIUS)
+    motion = ("fix pull all addforce 2 -1 0\nfix motion all nve/sphere\ntimestep 1e-9\n"
+              + dump("state", 20, "x", "y", "z", "fx", "fy", "fz") + "run 20\n")
+    found = []
+    for name, before in (("moves", ""), ("heats_first", "timestep 1e-9\n"
+                                         + dump("forces", 1, "fx", "fy", "fz") + "run 5\nundump forces\nreset_timestep 0\n")):
+        folder = tmp_path / name
+        folder.mkdir()
+        body.write(folder / "body.data")
+        liggghts.run(folder, script_of("f") + before + motion)
+        found.append(max(read_dump(folder / "state.txt").items())[1])
+    assert (found[0][:, 3:] == [2, -1, 0]).all()
+    assert (found[0] == found[1]).all()
+    assert all((frame == 0).all() for frame in read_dump(tmp_path / "heats_first/forces.txt").values())
