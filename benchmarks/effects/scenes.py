@@ -52,7 +52,7 @@ every = $every
 [[temperatures]]
 name = "hot"
 region = { axis = "x", side = "low", layers = 1 }
-value = "396 K"
+value = "297 K"
 """
 
 #: A bar that stretches evenly, so fast that nearly every bond flows in each step.
