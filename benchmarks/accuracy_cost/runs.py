@@ -117,8 +117,9 @@ class Bench:
         self._references: dict[str, Result | CodeFailure] = {}
 
     def scene(self, study: Study, point: Point, repetition: int) -> str:
-        """The scene of one run, its specimen still a recipe."""
-        return replace_words(study.template, {**point.replace, "seed = 1": f"seed = {repetition}"})
+        """The scene of one run, its specimen still a recipe; one that is no packing is always the same."""
+        packing = {"seed = 1": f"seed = {repetition}"} if "seed = 1" in study.template else {}
+        return replace_words(study.template, {**point.replace, **packing})
 
     def all(self, studies: list[Study], quick: bool, repetitions: int | None,
             seed: int = 1) -> tuple[list[Run], list[Omission]]:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "effects/kernels/kernels.hpp"
@@ -177,10 +178,12 @@ void CentralNeighbours::keep(bool outdated) {
 
 void CentralNeighbours::search() {
   const double* positions = model_.data(columns::position);
+  const double* velocity = model_.data(columns::velocity);
   double* listed = model_.data(columns::listed_position);
   for (std::size_t i = 0; i < model_.elements(); ++i) {
     const Vector place = row_vector(positions + 4 * i);
-    if (!std::isfinite(place.x + place.y + place.z))
+    const Vector speed = lanes_vector(velocity, Model::at(columns::velocity, i));
+    if (!std::isfinite(place.x + place.y + place.z + norm(speed)))
       throw RunError("the run diverged: element " + std::to_string(i) +
                      " stands at no finite place any more");
     set_lanes_vector(listed, Model::at(columns::listed_position, i), place);
@@ -190,23 +193,28 @@ void CentralNeighbours::search() {
   fill_slots();
 }
 
-double CentralNeighbours::set_margins(double steps, double* margin) const {
-  const double radius = mean_radius(model_.specimen());
+std::vector<double> CentralNeighbours::ways_in_a_step() const {
   const double* velocity = model_.data(columns::velocity);
-  const std::size_t count = model_.elements();
-  const auto way = [&](std::size_t i) {
-    return steps * time_step_ * norm(lanes_vector(velocity, Model::at(columns::velocity, i)));
-  };
-  double mean_way = 0, volume = 0;
-  for (std::size_t i = 0; i < count; ++i) mean_way += way(i) / static_cast<double>(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<double> ways(model_.elements());
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    ways[i] = time_step_ * norm(lanes_vector(velocity, Model::at(columns::velocity, i)));
+  return ways;
+}
+
+double CentralNeighbours::set_margins(double steps, const std::vector<double>& ways,
+                                      double* margin) const {
+  const double radius = mean_radius(model_.specimen());
+  const auto count = static_cast<double>(ways.size());
+  const double mean_way = std::accumulate(ways.begin(), ways.end(), 0.0) / count;
+  double volume = 0;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
     // What stands still now may be as fast as others soon.
-    margin[i] =
-        std::clamp(caution_ * (mean_way + way(i)), least_margin * radius, largest_margin * radius);
+    margin[i] = std::clamp(caution_ * steps * (mean_way + ways[i]), least_margin * radius,
+                           largest_margin * radius);
     const double growth = 1 + margin[i] / (parameters_.range * radius);
-    volume += growth * growth * growth / static_cast<double>(count);
+    volume += growth * growth * growth;
   }
-  return volume;
+  return volume / count;
 }
 
 void CentralNeighbours::choose_margins() {
@@ -223,13 +231,14 @@ void CentralNeighbours::choose_margins() {
     const double change = std::clamp(std::sqrt(expected_steps_ / lasted), 0.9, 1.5);
     caution_ = std::clamp(change * caution_, 0.5, 10.0);
   }
+  const std::vector<double> ways = ways_in_a_step();
   double least = std::numeric_limits<double>::infinity();
   for (const double steps : {5.0, 10.0, 20.0, 40.0, 80.0, 160.0})
-    if (const double cost = set_margins(steps, margin) + search_cost / steps; cost < least) {
+    if (const double cost = set_margins(steps, ways, margin) + search_cost / steps; cost < least) {
       least = cost;
       expected_steps_ = steps;
     }
-  set_margins(expected_steps_, margin);
+  set_margins(expected_steps_, ways, margin);
 }
 
 void CentralNeighbours::exclude(std::int32_t element) {

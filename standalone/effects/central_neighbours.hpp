@@ -64,9 +64,11 @@ class CentralNeighbours {
   void search();
   /// Chooses the margins that make steps and searches together cheapest.
   void choose_margins();
+  /// How far each element goes in a step, m.
+  std::vector<double> ways_in_a_step() const;
   /// Margins with which lists should last for so many steps, where speeds stay; their mean volume
-  /// over that of the range.
-  double set_margins(double steps, double* margin) const;
+  /// over that of the range. `ways`: as above.
+  double set_margins(double steps, const std::vector<double>& ways, double* margin) const;
 
   const CentralForceParameters& parameters_;
   Model& model_;

@@ -12,10 +12,10 @@ void EnergyLedger::add(Kind kind, const std::string& name, double energy) {
   accounts_.push_back({kind, name, energy});
 }
 
-double EnergyLedger::stored() const {
+double EnergyLedger::sum(Kind kind) const {
   double sum = 0;
   for (const Account& account : accounts_)
-    if (account.kind == Kind::stored) sum += account.energy;
+    if (account.kind == kind) sum += account.energy;
   return sum;
 }
 

@@ -41,7 +41,9 @@ class EnergyLedger {
   /// The energy under a name; 0 where nobody reports it.
   double of(const std::string& name) const;
   /// All that is stored.
-  double stored() const;
+  double stored() const { return sum(Kind::stored); }
+  /// All that was dissipated.
+  double dissipated() const { return sum(Kind::dissipated); }
   /// Calls visit(kind, name, energy): all that is stored, then dissipated, then put in.
   template <class Visit>
   void for_each(const Visit& visit) const {
@@ -56,6 +58,8 @@ class EnergyLedger {
     std::string name;
     double energy;
   };
+  double sum(Kind kind) const;
+
   std::vector<Account> accounts_;
 };
 

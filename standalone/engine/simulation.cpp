@@ -357,7 +357,8 @@ void Simulation::record_initial_energy() {
   observe(start);
   initially_stored_ = start.energies.stored();
   guard_.start(initially_stored_);
-  initial_energy_ = start.motion.kinetic_energy + initially_stored_;
+  // What flows in the first pose, such as what is made warm beyond yield, was stored before.
+  initial_energy_ = start.motion.kinetic_energy + initially_stored_ + start.energies.dissipated();
   initial_swing_ = swing_of(start.motion);
 }
 

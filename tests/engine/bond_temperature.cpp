@@ -261,6 +261,17 @@ TEST(Softening, that_stiffens_bounds_the_time_step_by_the_stiffest_temperature) 
               1e-6 * plain.time_step().limit);
 }
 
+TEST(Expansion, beyond_yield_in_the_first_pose_is_paid_for_by_the_start) {
+  auto setup = expanding(yielding_setup(1e-4, 0.1), 400, 300);
+  setup.run.time_step_ratio = 0.1;
+  Simulation simulation(setup, jittered("bcc", {4, 2, 2}));
+  EXPECT_EQ(seen(simulation, "energy_balance"), 0);
+  simulation.advance(400);
+  const double flowed = seen(simulation, "plastic_work");
+  EXPECT_GT(flowed, seen(simulation, "kinetic_energy"));
+  EXPECT_LT(std::fabs(seen(simulation, "energy_balance")), 1e-4 * flowed);
+}
+
 TEST(Expansion, of_one_material_named_twice_is_that_of_one) {
   auto once = expanding(yielding_setup(2e-3, 0.05), 320, 300);
   once.all<HeatSourceParameters>().push_back(heated_everywhere(1e14));
