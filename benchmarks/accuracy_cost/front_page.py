@@ -78,7 +78,7 @@ def own(points: list[Median]) -> list[Median]:
 def way(study: Study, m: Median) -> str:
     """How a point is computed."""
     rule = {"code": "standalone", "instructions": "best", "precision": "double"}
-    words = [f"{value} elements" if key == "elements" else value for key, value in m.labels.items()
+    words = [f"{value} element{'' if value == '1' else 's'}" if key == "elements" else value for key, value in m.labels.items()
              if key in study.axes and rule.get(key) != value]
     return ", ".join(words)
 
@@ -173,6 +173,23 @@ def limits(studies: list[tuple[Study, list[Median]]]) -> list[str]:
                     f"{law} {percent(least)}" for law, least in off.items()))
         lines.append(f"- {study.title}: {'; '.join(words)}.")
     return lines
+
+
+def against_the_source(studies: list[tuple[Study, list[Median]]]) -> list[str]:
+    """What the thesis does, platonic areas and explicit steps, beside the cheapest way to 1 %."""
+    lines = []
+    for study, points in studies:
+        ours = dependable(own(points), 0.01)
+        theirs = [m for m in own(points) if m.labels["law"] == "platonic"
+                  and m.labels.get("integrator") == "explicit"]
+        if ours is None or not theirs:
+            continue
+        best = min(theirs, key=lambda m: m.error)
+        lines.append(f"- {study.title}: as in the thesis ({way(study, best)}) the error is "
+                     f"{percent(best.error)} at least, in {seconds(best.whole_seconds)}; less than 1 % takes "
+                     f"{seconds(ours.whole_seconds)} ({way(study, ours)}): "
+                     f"{float(f'{best.whole_seconds / ours.whole_seconds:.2g}'):g} times less.")
+    return ["Against the way of the thesis:", "", *lines, ""] if lines else []
 
 
 def csv_rows(path: Path) -> list[dict[str, str]]:
@@ -277,6 +294,8 @@ def text_of(kinds: dict[str, list[tuple[Study, list[Median]]]], rows: list[dict[
         lines += [f"## {title}", "", f"Errors {against}. {about}", "",
                   f"![error over time, {kind}](accuracy_cost/{picture})", "", *costs(studies), "",
                   "Knobs:", "", *knobs(studies), "", "Where effort stops:", "", *limits(studies), ""]
+        if kind == "heat":
+            lines += against_the_source(studies)
     lines += ["## At which order errors fall", "",
               "Over the size of elements, by the least error of each number of elements; `solidem advise` "
               "takes these as what it knows of a kind of scene before its own runs.", "",
