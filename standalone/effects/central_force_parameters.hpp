@@ -32,6 +32,10 @@ struct CentralForceParameters {
   std::optional<double> skin;         ///< of the lists of neighbours, mean radii; none: chosen as
                                       ///< elements move
   double bond_tolerance = 0;  ///< t: neighbours at the start are nearer than (1 + t)(R_i + R_j)
+
+  /// Whether pairs of the start rest at the distance they had then.
+  bool remembers_distances() const { return equilibrium == Equilibrium::initial; }
+  bool neighbours_change() const { return neighbours == Neighbours::changing; }
 };
 
 /// Micro-cracks between elements, and elements that have lost their hold.

@@ -18,28 +18,12 @@
 
 namespace solidem {
 
-namespace {
-
-Vector row_vector(const double* row) {
-  return {row[0], row[1], row[2]};
-}
-
-bool are_remembered(const CentralForceParameters& parameters) {
-  return parameters.equilibrium == CentralForceParameters::Equilibrium::initial;
-}
-
-bool change(const CentralForceParameters& parameters) {
-  return parameters.neighbours == CentralForceParameters::Neighbours::changing;
-}
-
-}  // namespace
-
 std::vector<const Column*> CentralForces::columns(const CentralForceParameters& parameters,
                                                   bool cracks, bool periodic) {
   std::vector<const Column*> asked = {&columns::position, &columns::velocity,
                                       &columns::inverse_mass};
-  if (are_remembered(parameters)) asked.push_back(&columns::rest_length);
-  if (change(parameters))
+  if (parameters.remembers_distances()) asked.push_back(&columns::rest_length);
+  if (parameters.neighbours_change())
     asked.insert(asked.end(), {&columns::listed_position, &columns::listed_margin});
   if (parameters.dissipation)
     asked.insert(asked.end(), {&columns::velocity_for_neighbours, &columns::dissipated_energy});
@@ -133,7 +117,7 @@ void CentralForces::for_each_own_image(const OwnImageVisit& visit) const {
         const double distance = norm(chord);
         for (std::size_t i = 0; i < radius.size(); ++i)
           if (distance < parameters_.range * 2 * radius[i])
-            visit(i, chord, are_remembered(parameters_) ? distance : 2 * radius[i]);
+            visit(i, chord, parameters_.remembers_distances() ? distance : 2 * radius[i]);
       }
 }
 

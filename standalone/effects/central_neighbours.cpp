@@ -23,25 +23,13 @@ constexpr double search_cost = 22;
 // Of mean radii: margins of what is at rest, and what no search should reach beyond.
 constexpr double least_margin = 0.02, largest_margin = 1;
 
-Vector row_vector(const double* row) {
-  return {row[0], row[1], row[2]};
-}
-
-bool are_remembered(const CentralForceParameters& parameters) {
-  return parameters.equilibrium == CentralForceParameters::Equilibrium::initial;
-}
-
-bool change(const CentralForceParameters& parameters) {
-  return parameters.neighbours == CentralForceParameters::Neighbours::changing;
-}
-
 }  // namespace
 
 CentralNeighbours::CentralNeighbours(const CentralForceParameters& parameters, Model& model)
     : parameters_(parameters), model_(model) {
   const Specimen& specimen = model.specimen();
   list_initial();
-  if (change(parameters_)) {
+  if (parameters_.neighbours_change()) {
     double* listed = model.data(columns::listed_position);
     for (std::size_t i = 0; i < specimen.size(); ++i)
       set_lanes_vector(listed, Model::at(columns::listed_position, i), specimen.position[i]);
@@ -65,7 +53,7 @@ void CentralNeighbours::list_initial() {
                          std::to_string(std::max(i, j)) +
                          " stand at one place, so that no force between them has a direction; "
                          "expected a specimen whose elements stand apart");
-      initial_rest_length_.push_back(are_remembered(parameters_) ? distance : radii);
+      initial_rest_length_.push_back(parameters_.remembers_distances() ? distance : radii);
     }
 }
 
@@ -131,8 +119,8 @@ std::vector<double> CentralNeighbours::rest_lengths(const Neighbourhood& list) c
 }
 
 void CentralNeighbours::fill_slots() {
-  const Neighbourhood found = change(parameters_) ? list_now() : Neighbourhood{};
-  const Neighbourhood& list = change(parameters_) ? found : initial_;
+  const Neighbourhood found = parameters_.neighbours_change() ? list_now() : Neighbourhood{};
+  const Neighbourhood& list = parameters_.neighbours_change() ? found : initial_;
   model_.replace_slots(list.first, list.neighbour, initial_.neighbour.size() / 2);
   ++searches_;
   double* rest_length =
@@ -162,7 +150,7 @@ void CentralNeighbours::fill_slots() {
 }
 
 void CentralNeighbours::keep(bool outdated) {
-  if (!change(parameters_)) return;
+  if (!parameters_.neighbours_change()) return;
   const double* positions = model_.data(columns::position);
   const double* listed = model_.data(columns::listed_position);
   const double* margin = model_.data(columns::listed_margin);

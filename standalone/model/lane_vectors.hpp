@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Vectors in columns of lanes: x, y and z stand `lanes` doubles apart.
+// Vectors in columns: of lanes, whose x, y and z stand `lanes` doubles apart, and of rows, where
+// they follow one another.
 #ifndef SOLIDEM_MODEL_LANE_VECTORS_HPP
 #define SOLIDEM_MODEL_LANE_VECTORS_HPP
 
@@ -18,6 +19,11 @@ inline void set_lanes_vector(double* column, std::size_t at, const Vector& v) {
   column[at] = v.x;
   column[at + lanes] = v.y;
   column[at + std::size_t{2} * lanes] = v.z;
+}
+
+/// The vector at the start of a row.
+inline Vector row_vector(const double* row) {
+  return {row[0], row[1], row[2]};
 }
 
 }  // namespace solidem
