@@ -64,6 +64,12 @@ def digest(*words: str) -> str:
     return hashlib.sha256("\0".join(words).encode()).hexdigest()[:16]
 
 
+def scene_of(study: Study, point: Point, repetition: int) -> str:
+    """The scene of one run, its specimen still a recipe; one that is no packing is always the same."""
+    packing = {"seed = 1": f"seed = {repetition}"} if "seed = 1" in study.template else {}
+    return replace_words(study.template, {**point.replace, **packing})
+
+
 class Specimens:
     """Specimens by recipe, each made once, with the time that took."""
 
@@ -116,11 +122,6 @@ class Bench:
         self._limits: dict[str, float] = {}
         self._references: dict[str, Result | CodeFailure] = {}
 
-    def scene(self, study: Study, point: Point, repetition: int) -> str:
-        """The scene of one run, its specimen still a recipe; one that is no packing is always the same."""
-        packing = {"seed = 1": f"seed = {repetition}"} if "seed = 1" in study.template else {}
-        return replace_words(study.template, {**point.replace, **packing})
-
     def all(self, studies: list[Study], quick: bool, repetitions: int | None,
             seed: int = 1) -> tuple[list[Run], list[Omission]]:
         """Everything the studies ask for, in a shuffled order that is always the same."""
@@ -149,13 +150,13 @@ class Bench:
             self.codes[name].missing()
         for study, point, repetition in todo:
             try:
-                self.specimens.get(self.scene(study, point, repetition), study.timeout)
+                self.specimens.get(scene_of(study, point, repetition), study.timeout)
             except CodeFailure:
                 continue
 
     def _run(self, study: Study, point: Point, repetition: int, order: int) -> Run:
         """One run, or what is kept of it."""
-        text = self.scene(study, point, repetition)
+        text = scene_of(study, point, repetition)
         kept = self._kept_runs / (digest(
             text, point.code, json.dumps(point.environment, sort_keys=True), self.program,
             str(repetition), json.dumps([asdict(r) for r in study.readings]),
@@ -216,7 +217,7 @@ class Bench:
         """The run that a point is compared with, made once by the standalone program."""
         reference = study.reference_of(point, name)
         own = study.references[name].own_specimen
-        text = self.scene(study, reference, repetition if own else 1)
+        text = scene_of(study, reference, repetition if own else 1)
         if text not in self._references:
             self._references[text] = self._make_reference(study, text)
         found = self._references[text]

@@ -16,7 +16,7 @@ from benchmarks.accuracy_cost.front_page import measured, orders
 from benchmarks.accuracy_cost.orders import order_of, table
 from benchmarks.accuracy_cost.page import write_page
 from benchmarks.accuracy_cost.results import Median, cheapest, front, gains, medians
-from benchmarks.accuracy_cost.runs import Omission, Run
+from benchmarks.accuracy_cost.runs import Omission, Run, scene_of
 from benchmarks.accuracy_cost.study import StudyError, read_study
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -198,10 +198,8 @@ def test_a_rule_about_an_unknown_setting_is_refused(study_file: Path) -> None:
 @pytest.mark.parametrize("name", sorted(
     path.stem for path in (ROOT / "benchmarks" / "accuracy_cost" / "studies").glob("*.toml")))
 def test_scenes_of_the_studies_have_the_words_that_are_replaced(name: str) -> None:
-    from compare.runs import replace_words
     study = read_study(ROOT / "benchmarks" / "accuracy_cost" / "studies" / f"{name}.toml")
-    scenes = {replace_words(study.template, {**p.replace, "seed = 1": "seed = 2"})
-              for p in study.combinations()}
+    scenes = {scene_of(study, point, 2) for point in study.combinations()}
     # Codes and instruction sets are the only axes that leave the scene as it is.
     outside = math.prod(len(study.axes[a]) for a in ("code", "instructions") if a in study.axes)
     assert len(scenes) == len(study.combinations()) / outside

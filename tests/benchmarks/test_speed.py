@@ -20,8 +20,7 @@ def test_floors_are_those_of_both_sides_of_a_bond_and_of_all_columns() -> None:
     slow = {**TOLD, "slot": {"beams": {"simple": 10, "divisions": 1, "roots": 1}}}
     assert kernels.arithmetic_floor(slow, BODY, "baseline", 1) == pytest.approx(6)
     assert kernels.bytes_floor(TOLD, BODY, 1) == pytest.approx(50e3 / 5000)
-    unknown = kernels.Body("central_fixed", 1000, "", 5000, 1000000)
-    assert kernels.arithmetic_floor(TOLD, unknown, "baseline", 1) == 0
+    assert set(kernels.ARITHMETIC) == set(kernels.EFFECTS)
 
 
 def test_ratios_are_taken_within_a_repetition() -> None:
