@@ -19,6 +19,17 @@ from test_coupled import solidem
 STEPS = 600
 IN_THE_FILE = ("units", "atom_style", "boundary", "bond_", "group")
 INITIAL = 300.0
+MATERIAL = """\
+[material]
+density = "2500 kg/m^3"
+conductivity = "134 W/(m K)"
+specific_heat_capacity = "880 J/(kg K)"
+
+[beams]
+young_modulus = "200 GPa"
+poisson_ratio = 0.3
+radius_ratio = 0.4
+"""
 SLIDER = """\
 [[body]]
 name = "bed"
@@ -35,16 +46,7 @@ cells = [3, 2, 1]
 element_radius = "0.5 mm"
 origin = ["2.3 mm", "1.96 mm", "0 mm"]
 
-[material]
-density = "2500 kg/m^3"
-conductivity = "134 W/(m K)"
-specific_heat_capacity = "880 J/(kg K)"
-
-[beams]
-young_modulus = "200 GPa"
-poisson_ratio = 0.3
-radius_ratio = 0.4
-
+""" + MATERIAL + """
 [contact]
 normal_stiffness = "3e6 N/m"
 friction = 0.3

@@ -12,8 +12,8 @@ import pytest
 
 from liggghts_runs import HEADER, Liggghts, read_dump, thermo
 from test_export_contacts import write_sheet
-from test_friction_heat import (CONDUCTION, CONSTANTS, IN_THE_FILE, INITIAL, RUN, STEPS, TWO,
-                                differences, export, history, script, worst)
+from test_friction_heat import (CONDUCTION, CONSTANTS, IN_THE_FILE, INITIAL, MATERIAL, RUN, STEPS,
+                                TWO, differences, export, history, script, worst)
 
 BLOCK = """\
 [[body]]
@@ -24,16 +24,7 @@ cells = [4, 2, 2]
 element_radius = "0.5 mm"
 origin = ["0 mm", "0 mm", "0 mm"]
 
-[material]
-density = "2500 kg/m^3"
-conductivity = "134 W/(m K)"
-specific_heat_capacity = "880 J/(kg K)"
-
-[beams]
-young_modulus = "200 GPa"
-poisson_ratio = 0.3
-radius_ratio = 0.4
-
+""" + MATERIAL + """
 [conduction]
 law = "platonic"
 initial_temperature = "300 K"
@@ -242,6 +233,16 @@ SMOOTH = "pair_style none\n"
 FRICTION = "fix friction all solidem/friction {}\n"
 
 
+def require_refused(liggghts: Liggghts, folder: Path, lines: str, message: str) -> None:
+    """A script with these lines ends with this word."""
+    TWO.write(folder / "body.data")
+    text = (HEADER + "boundary f f f\nnewton off\nread_data body.data\nneighbor 1e-3 nsq\n"
+            + CONSTANTS + SMOOTH + lines + "bond_style none\n")
+    with pytest.raises(AssertionError) as failure:
+        liggghts.run(folder, text + "timestep 1e-9\nrun 1\n")
+    assert message in str(failure.value)
+
+
 @pytest.mark.parametrize("lines, message", [
     (WALL.format("hooke/stiffness tangential history") + CONDUCTION + FRICTION.format("tool wall -1"),
      "the effusivity of tool wall must not be negative, but is -1"),
@@ -259,9 +260,4 @@ FRICTION = "fix friction all solidem/friction {}\n"
 def test_what_the_fix_cannot_do_it_says(
     liggghts: Liggghts, tmp_path: Path, lines: str, message: str
 ) -> None:
-    TWO.write(tmp_path / "body.data")
-    text = (HEADER + "boundary f f f\nnewton off\nread_data body.data\nneighbor 1e-3 nsq\n"
-            + CONSTANTS + SMOOTH + lines + "bond_style none\n")
-    with pytest.raises(AssertionError) as failure:
-        liggghts.run(tmp_path, text + "timestep 1e-9\nrun 1\n")
-    assert message in str(failure.value)
+    require_refused(liggghts, tmp_path, lines, message)

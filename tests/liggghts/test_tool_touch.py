@@ -9,10 +9,10 @@ import h5py
 import numpy as np
 import pytest
 
-from liggghts_runs import HEADER, Liggghts, dump, read_dump, thermo
+from liggghts_runs import Liggghts, dump, read_dump, thermo
 from test_export_contacts import write_sheet
-from test_friction_heat import CONDUCTION, CONSTANTS, IN_THE_FILE, TWO, export, solidem, worst
-from test_tool_friction_heat import BLOCK, DRAGGED, FLOOR, LID, METAL, SMOOTH, WALL
+from test_friction_heat import CONDUCTION, IN_THE_FILE, export, solidem, worst
+from test_tool_friction_heat import BLOCK, DRAGGED, FLOOR, LID, METAL, WALL, require_refused
 
 STEPS = 400
 LAWS = ('conductance = "0.02 W/K"', 'coefficient = "3e7 W/(m^2 K)"')
@@ -143,9 +143,4 @@ TOUCH = "fix touch all solidem/touch {}\n"
 def test_what_the_fix_cannot_do_it_says(
     liggghts: Liggghts, tmp_path: Path, lines: str, message: str
 ) -> None:
-    TWO.write(tmp_path / "body.data")
-    text = (HEADER + "boundary f f f\nnewton off\nread_data body.data\nneighbor 1e-3 nsq\n"
-            + CONSTANTS + SMOOTH + lines + "bond_style none\n")
-    with pytest.raises(AssertionError) as failure:
-        liggghts.run(tmp_path, text + "timestep 1e-9\nrun 1\n")
-    assert message in str(failure.value)
+    require_refused(liggghts, tmp_path, lines, message)
