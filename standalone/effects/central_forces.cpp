@@ -20,13 +20,13 @@ namespace solidem {
 
 std::vector<const Column*> CentralForces::columns(const CentralForceParameters& parameters,
                                                   bool cracks, bool periodic) {
-  std::vector<const Column*> asked = {&columns::position, &columns::velocity,
-                                      &columns::inverse_mass};
+  std::vector<const Column*> asked = {
+      parameters.dissipation ? &columns::position_and_velocity : &columns::position,
+      &columns::velocity, &columns::inverse_mass};
   if (parameters.remembers_distances()) asked.push_back(&columns::rest_length);
   if (parameters.neighbours_change())
     asked.insert(asked.end(), {&columns::listed_position, &columns::listed_margin});
-  if (parameters.dissipation)
-    asked.insert(asked.end(), {&columns::velocity_for_neighbours, &columns::dissipated_energy});
+  if (parameters.dissipation) asked.push_back(&columns::dissipated_energy);
   if (cracks) asked.push_back(&columns::barycentre);
   if (periodic) asked.push_back(&columns::image_shift);
   return asked;
@@ -36,13 +36,13 @@ CentralForces::CentralForces(const CentralForceParameters& parameters,
                              const std::vector<double>& mass, Model& model)
     : parameters_(parameters), model_(model), neighbours_(parameters_, model) {
   const Specimen& specimen = model.specimen();
-  double* buffers[] = {model.data(columns::position), model.next(columns::position)};
+  const Model::Rows<double> buffers[] = {model.positions(), model.next_positions()};
   double* inverse_mass = model.data(columns::inverse_mass);
   for (std::size_t i = 0; i < specimen.size(); ++i) {
     const Vector& p = specimen.position[i];
-    for (double* place : buffers) {
+    for (const Model::Rows<double>& place : buffers) {
       const double row[] = {p.x, p.y, p.z, parameters_.range * specimen.radius[i]};
-      std::copy_n(row, 4, place + 4 * i);
+      std::copy_n(row, 4, place[i]);
     }
     inverse_mass[i] = 1 / mass[i];
   }
@@ -127,8 +127,7 @@ void CentralForces::keep_neighbours() {
 }
 
 void CentralForces::finish_move(Model& model) {
-  model.swap(columns::position);
-  if (model.has(columns::velocity_for_neighbours)) model.swap(columns::velocity_for_neighbours);
+  model.swap(model.position_column());
 }
 
 CentralMotion CentralForces::motion(Model& model) const {
@@ -139,8 +138,8 @@ CentralMotion CentralForces::motion(Model& model) const {
   motion.law = parameters_.law;
   motion.first_row = model.slots().first_row();
   motion.neighbour = model.slots().neighbours();
-  motion.position = model.data(columns::position);
-  motion.next_position = model.next(columns::position);
+  motion.position = model.positions().first;
+  motion.next_position = model.next_positions().first;
   motion.velocity = model.data(columns::velocity);
   motion.inverse_mass = model.data(columns::inverse_mass);
   motion.rest_length = where(columns::rest_length);
@@ -149,8 +148,6 @@ CentralMotion CentralForces::motion(Model& model) const {
   motion.interpenetration = parameters_.interpenetration;
   if (parameters_.dissipation) {
     motion.dissipation = *parameters_.dissipation;
-    motion.velocity_for_neighbours = model.data(columns::velocity_for_neighbours);
-    motion.next_velocity_for_neighbours = model.next(columns::velocity_for_neighbours);
     motion.dissipated_energy = model.data(columns::dissipated_energy);
   }
   motion.barycentre = where(columns::barycentre);
@@ -181,7 +178,7 @@ void CentralForces::advance(Model& model, const Step& step) {
 void CentralForces::accelerate(Model& model) const {
   CentralMotion still = motion(model);
   still.kick = 1;
-  still.velocity_for_neighbours = nullptr;
+  still.dissipation = 0;
   still.barycentre = nullptr;
   still.listed_position = nullptr;
   for_blocks(model.slots().blocks(), least_blocks_moving, [&](std::size_t first, std::size_t last) {
@@ -242,9 +239,8 @@ double CentralForces::longest_time_step(double squared_frequency) const {
 std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, std::int32_t i,
                                                            std::int32_t j, std::size_t row,
                                                            int lane) const {
-  const double* positions = model.data(columns::position);
-  const double* row_i = positions + std::ptrdiff_t{4} * i;
-  const double* row_j = positions + std::ptrdiff_t{4} * j;
+  const double* row_i = model.positions()[static_cast<std::size_t>(i)];
+  const double* row_j = model.positions()[static_cast<std::size_t>(j)];
   Acting pair{};
   pair.chord = row_vector(row_j) - row_vector(row_i);
   if (model.has(columns::image_shift))
@@ -273,10 +269,10 @@ std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, s
       },
       parameters_.law);
   if (parameters_.dissipation) {
-    const double* velocity = model.data(columns::velocity_for_neighbours);
+    const auto velocity = model.felt_velocities();
     const double drag = dissipative_force(*parameters_.dissipation, pair.chord, 1 / pair.distance,
-                                          row_vector(velocity + std::ptrdiff_t{4} * i) -
-                                              row_vector(velocity + std::ptrdiff_t{4} * j));
+                                          row_vector(velocity[static_cast<std::size_t>(i)]) -
+                                              row_vector(velocity[static_cast<std::size_t>(j)]));
     pair.push += drag;
     pair.power = drag * drag / *parameters_.dissipation;
   }
@@ -289,7 +285,7 @@ void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) co
     const auto pair = acting(model, i, j, row, lane);
     if (!pair) return;
     const auto moved = [&](std::int32_t e) {
-      return row_vector(model.data(columns::position) + std::ptrdiff_t{4} * e) -
+      return row_vector(model.positions()[static_cast<std::size_t>(e)]) -
              model.specimen().position[static_cast<std::size_t>(e)];
     };
     const Vector force = (-pair->push / pair->distance) * pair->chord;

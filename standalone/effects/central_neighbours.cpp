@@ -151,25 +151,25 @@ void CentralNeighbours::fill_slots() {
 
 void CentralNeighbours::keep(bool outdated) {
   if (!parameters_.neighbours_change()) return;
-  const double* positions = model_.data(columns::position);
+  const auto positions = model_.positions();
   const double* listed = model_.data(columns::listed_position);
   const double* margin = model_.data(columns::listed_margin);
   const std::vector<std::int32_t>& driven = model_.driven();
   for (std::size_t k = 0; k < driven.size() && !outdated; ++k) {
     const auto i = static_cast<std::size_t>(driven[k]);
-    const Vector away = row_vector(positions + 4 * i) -
-                        lanes_vector(listed, Model::at(columns::listed_position, i));
+    const Vector away =
+        row_vector(positions[i]) - lanes_vector(listed, Model::at(columns::listed_position, i));
     outdated = !(dot(away, away) <= margin[i] * margin[i]);
   }
   if (outdated) search();
 }
 
 void CentralNeighbours::search() {
-  const double* positions = model_.data(columns::position);
+  const auto positions = model_.positions();
   const double* velocity = model_.data(columns::velocity);
   double* listed = model_.data(columns::listed_position);
   for (std::size_t i = 0; i < model_.elements(); ++i) {
-    const Vector place = row_vector(positions + 4 * i);
+    const Vector place = row_vector(positions[i]);
     const Vector speed = lanes_vector(velocity, Model::at(columns::velocity, i));
     if (!std::isfinite(place.x + place.y + place.z + norm(speed)))
       throw RunError("the run diverged: element " + std::to_string(i) +

@@ -2,6 +2,7 @@
 #include "effects/grips.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "effects/assembly.hpp"
 #include "effects/effect_kind.hpp"
@@ -25,11 +26,11 @@ Grip::Grip(const GripParameters& parameters, std::vector<std::int32_t> elements,
       if (imposed(axis)) velocity[Model::at(columns::velocity, i, axis)] = 0;
   }
   if (applies_force()) remember(model, 0);
-  if (!model.has(columns::velocity_for_neighbours)) return;
-  double* carried = model.data(columns::velocity_for_neighbours);
+  if (!model.neighbours_feel_velocity()) return;
+  const auto felt = model.felt_velocities();
   for (const std::int32_t e : elements_)
     for (int axis = 0; axis < 3; ++axis)
-      if (imposed(axis)) carried[std::ptrdiff_t{4} * e + axis] = imposed_velocity(axis, 0);
+      if (imposed(axis)) felt[static_cast<std::size_t>(e)][axis] = imposed_velocity(axis, 0);
 }
 
 bool Grip::imposed(int axis) const {
@@ -96,9 +97,8 @@ void Grip::advance(Model& model, const Step& step) {
     remember(model, step.time);
   }
   const double after = step.time + step.time_step;
-  double* carried = model.has(columns::velocity_for_neighbours)
-                        ? model.next(columns::velocity_for_neighbours)
-                        : nullptr;
+  std::optional<Model::Rows<double>> felt;
+  if (model.neighbours_feel_velocity()) felt = model.next_felt_velocities();
   for (int axis = 0; axis < 3; ++axis) {
     const AxisControl& control = parameters_.axis[static_cast<std::size_t>(axis)];
     if (imposed(axis)) {
@@ -114,8 +114,7 @@ void Grip::advance(Model& model, const Step& step) {
         bond_force += v * mass_[k];
         v = 0;
         next[i][axis] = component(rest_[k], axis) + place;
-        if (carried != nullptr)
-          carried[4 * i + static_cast<std::size_t>(axis)] = moved / step.time_step;
+        if (felt) (*felt)[i][axis] = moved / step.time_step;
       }
       double& last = last_displacement_[static_cast<std::size_t>(axis)];
       work_ -= bond_force / step.kick * 0.5 * (last + moved);

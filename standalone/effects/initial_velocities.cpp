@@ -25,8 +25,7 @@ void finish_initial_velocity(const Section& section, InitialVelocity& /*p*/, Rea
 
 void set_velocity(Model& model, std::size_t i, int axis, double v) {
   model.data(columns::velocity)[Model::at(columns::velocity, i, axis)] = v;
-  if (model.has(columns::velocity_for_neighbours))
-    model.data(columns::velocity_for_neighbours)[4 * i + static_cast<std::size_t>(axis)] = v;
+  if (model.neighbours_feel_velocity()) model.felt_velocities()[i][axis] = v;
 }
 
 void start_moving(const Setup& setup, Model& model) {

@@ -2,6 +2,8 @@
 #ifndef SOLIDEM_EFFECTS_PUSH_HPP
 #define SOLIDEM_EFFECTS_PUSH_HPP
 
+#include <optional>
+
 #include "effects/effect.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/lane_vectors.hpp"
@@ -30,10 +32,8 @@ class Pushes {
       : step_(step),
         next_(model.next_positions()),
         velocity_(model.data(columns::velocity)),
-        inverse_mass_(model.data(columns::inverse_mass)),
-        felt_velocity_(model.has(columns::velocity_for_neighbours)
-                           ? model.next(columns::velocity_for_neighbours)
-                           : nullptr) {
+        inverse_mass_(model.data(columns::inverse_mass)) {
+    if (model.neighbours_feel_velocity()) felt_velocity_ = model.next_felt_velocities();
     if (!model.has(columns::angular_velocity)) return;
     pose_ = model.data(columns::pose);
     spin_ = model.data(columns::angular_velocity);
@@ -47,8 +47,7 @@ class Pushes {
   void kick(std::size_t element, int axis, double gain) const {
     velocity_[Model::at(columns::velocity, element, axis)] += gain;
     next_[element][axis] += step_.time_step * gain;
-    if (felt_velocity_ != nullptr)
-      felt_velocity_[4 * element + static_cast<std::size_t>(axis)] += gain;
+    if (felt_velocity_) (*felt_velocity_)[element][axis] += gain;
   }
   /// A force, N, through the step.
   void push(std::size_t element, const Vector& force) const {
@@ -69,10 +68,10 @@ class Pushes {
 
  private:
   Step step_;
-  Model::Positions<double> next_;
+  Model::Rows<double> next_;
   double* velocity_;
   const double* inverse_mass_;
-  double* felt_velocity_;  ///< null: neighbours feel none
+  std::optional<Model::Rows<double>> felt_velocity_;  ///< of the next step
   const double* pose_ = nullptr;
   double* spin_ = nullptr;
   const double* inverse_inertia_ = nullptr;

@@ -116,7 +116,7 @@ class Tool : public Effect, public TouchesElements {
   };
   /// Columns of the elements, as they are at a look.
   struct Elements {
-    Model::Positions<const double> position, position_before;
+    Model::Rows<const double> position, position_before;
     const double *velocity, *spin;  ///< spin: null where elements do not turn
     const double* inverse_mass;
 

@@ -108,8 +108,8 @@ void TurningGrip::advance(Model& model, const Step& step) {
       next[4] = orientation.w;
       std::copy_n(&orientation.v.x, 3, next + 5);
     }
-    if (!model.has(columns::velocity_for_neighbours)) continue;
-    double* felt = model.next(columns::velocity_for_neighbours) + 4 * i;
+    if (!model.neighbours_feel_velocity()) continue;
+    double* felt = model.next_felt_velocities()[i];
     for (int axis = 0; axis < 3; ++axis) felt[axis] = (next[axis] - now[axis]) / step.time_step;
   }
 }

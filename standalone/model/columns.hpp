@@ -43,6 +43,17 @@ inline constexpr Column pose{
 inline constexpr Column position{
     "position", Site::element, Layout::rows, 4,
     2,          true,          "m",          "centre x y z, fraction of the range"};
+/// The same of one whose neighbours feel how fast it is: all that they read of it, in one line.
+inline constexpr Column position_and_velocity{
+    "position_and_velocity",
+    Site::element,
+    Layout::rows,
+    8,
+    2,
+    true,
+    "m, m/s",
+    "centre x y z, fraction of the range, velocity x y z (imposed ones too, half a time step "
+    "behind the centre), spare"};
 inline constexpr Column last_pose{"last_pose",
                                   Site::element,
                                   Layout::rows,
@@ -206,15 +217,6 @@ inline constexpr Column image_shift{"image_shift",
                                     false,
                                     "m",
                                     "added to the neighbour's centre across a periodic face"};
-inline constexpr Column velocity_for_neighbours{
-    "velocity_for_neighbours",
-    Site::element,
-    Layout::rows,
-    4,
-    2,
-    true,
-    "m/s",
-    "as neighbours feel it, imposed ones too: x y z, spare; half a time step behind the pose"};
 inline constexpr Column dissipated_energy{"dissipated_energy",
                                           Site::element,
                                           Layout::lanes,

@@ -71,28 +71,41 @@ class Model {
   /// The same; what was read before goes to another column of such rows.
   void swap(const Column& column, const Column& before);
 
-  /// Centres of the elements, m: the first three of a row of doubles each, whichever column holds
-  /// them.
+  /// Three of a row of doubles of each element.
   template <class Double>
-  struct Positions {
+  struct Rows {
     Double* first;
     std::size_t components;
     Double* operator[](std::size_t element) const { return first + components * element; }
   };
-  Positions<double> positions() {
-    return {data(position_column()), components_of(position_column())};
-  }
-  Positions<const double> positions() const {
+  /// Centres of the elements, m: the first three, whichever column holds them.
+  Rows<double> positions() { return {data(position_column()), components_of(position_column())}; }
+  Rows<const double> positions() const {
     return {data(position_column()), components_of(position_column())};
   }
   /// What a step writes of them.
-  Positions<double> next_positions() {
+  Rows<double> next_positions() {
     return {next(position_column()), components_of(position_column())};
   }
   /// Whether elements move, and the column of their places.
-  bool moves() const { return has(solidem::columns::pose) || has(solidem::columns::position); }
+  bool moves() const { return has(position_column()); }
   const Column& position_column() const {
-    return has(solidem::columns::position) ? solidem::columns::position : solidem::columns::pose;
+    return has(solidem::columns::position)                ? solidem::columns::position
+           : has(solidem::columns::position_and_velocity) ? solidem::columns::position_and_velocity
+                                                          : solidem::columns::pose;
+  }
+
+  /// Whether neighbours feel how fast an element is.
+  bool neighbours_feel_velocity() const { return has(solidem::columns::position_and_velocity); }
+  /// The velocities that they feel, m/s, if so: imposed ones too, half a time step behind the
+  /// centres.
+  Rows<double> felt_velocities() { return {data(solidem::columns::position_and_velocity) + 4, 8}; }
+  Rows<const double> felt_velocities() const {
+    return {data(solidem::columns::position_and_velocity) + 4, 8};
+  }
+  /// What a step writes of them.
+  Rows<double> next_felt_velocities() {
+    return {next(solidem::columns::position_and_velocity) + 4, 8};
   }
 
   /// Notes elements that others than the forces between elements move, so that whoever keeps lists

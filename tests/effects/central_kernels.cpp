@@ -163,8 +163,8 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
     motion.law = variant.law;
     motion.first_row = model.slots().first_row();
     motion.neighbour = model.slots().neighbours();
-    motion.position = model.data(columns::position);
-    motion.next_position = model.next(columns::position);
+    motion.position = model.positions().first;
+    motion.next_position = model.next_positions().first;
     motion.velocity = model.data(columns::velocity);
     motion.inverse_mass = model.data(columns::inverse_mass);
     motion.rest_length = where(columns::rest_length);
@@ -175,8 +175,6 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
     motion.drift = 1e-7;
     if (variant.dissipates) {
       motion.dissipation = drag;
-      motion.velocity_for_neighbours = model.data(columns::velocity_for_neighbours);
-      motion.next_velocity_for_neighbours = model.next(columns::velocity_for_neighbours);
       motion.dissipated_energy = model.data(columns::dissipated_energy);
       std::fill_n(motion.dissipated_energy, model.size(columns::dissipated_energy), 0.0);
     }
@@ -201,7 +199,7 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
       const double kick = motion.kick * motion.inverse_mass[i];
       EXPECT_LT(norm(after - before - kick * force[i]),
                 tolerance * kick * scale + 1e-15 * norm(before));
-      const double* next = motion.next_position + 4 * i;
+      const double* next = model.next_positions()[i];
       EXPECT_LT(
           norm(Vector{next[0], next[1], next[2]} - place_of(simulation, i) - motion.drift * after),
           1e-15 * 1e-3);
@@ -210,7 +208,7 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
       sizes += norm(momentum);
       if (!variant.dissipates) continue;
       dissipated += motion.dissipated_energy[i];
-      const double* carried = motion.next_velocity_for_neighbours + 4 * i;
+      const double* carried = model.next_felt_velocities()[i];
       EXPECT_EQ(norm(Vector{carried[0], carried[1], carried[2]} - after), 0);
     }
     EXPECT_LT(norm(sum), 1e-14 * sizes);

@@ -304,7 +304,7 @@ TEST(CentralForcesPlan, asks_no_column_that_the_scene_does_not_name) {
   EXPECT_EQ(columns_of(replaced(bare, "\"fixed\"", "\"changing\"")),
             with({"listed_position", "listed_margin"}));
   EXPECT_EQ(columns_of(replaced(bare, range, range + "dissipation = \"1 N s/m\"\n")),
-            with({"velocity_for_neighbours", "dissipated_energy"}));
+            (Names{"position_and_velocity", "velocity", "inverse_mass", "dissipated_energy"}));
   EXPECT_EQ(columns_of(replaced(bare, "[run]", "[damage]\ncrack_threshold = 0.4\n[run]")),
             with({"barycentre"}));
   EXPECT_EQ(columns_of(replaced(bare, "[run]", "[damage]\nminimal_neighbours = 3\n[run]")), least);

@@ -39,9 +39,10 @@ const Names flowing_motion = {
 const Names pulled = {"beams", "grip left", "grip right"};
 const Names torn = united(pulled, {"rupture"});
 
-const Names attracted = {"position",    "velocity",        "inverse_mass",
-                         "rest_length", "listed_position", "listed_margin"};
-const Names dissipated = united(attracted, {"velocity_for_neighbours", "dissipated_energy"});
+const Names attracted_anywhere = {"velocity", "inverse_mass", "rest_length", "listed_position",
+                                  "listed_margin"};
+const Names attracted = united(attracted_anywhere, {"position"});
+const Names dissipated = united(attracted_anywhere, {"position_and_velocity", "dissipated_energy"});
 const Names pulled_apart = {"central forces", "grip left", "grip right"};
 
 const Names heat = {"temperature", "inverse_heat_capacity", "conductance"};

@@ -121,10 +121,9 @@ inline Vector velocity_of(const Simulation& simulation, std::size_t element) {
 inline void launch(Simulation& simulation, std::size_t element, const Vector& velocity) {
   set_velocity(simulation, element, velocity);
   Model& model = simulation.model();
-  if (!model.has(columns::velocity_for_neighbours)) return;
+  if (!model.neighbours_feel_velocity()) return;
   for (int axis = 0; axis < 3; ++axis)
-    model.data(columns::velocity_for_neighbours)[4 * element + static_cast<std::size_t>(axis)] =
-        component(velocity, axis);
+    model.felt_velocities()[element][axis] = component(velocity, axis);
 }
 
 /// Sets all elements in motion without any order, each up to a speed along each axis.

@@ -26,8 +26,14 @@ struct Seen {
   Mask inside;
 };
 
+/// Doubles in the row of an element.
+template <bool dissipates>
+constexpr int row_length = dissipates ? 8 : 4;
+
+template <bool dissipates>
 inline Seen see(const CentralMotion& m, const Quad& own, std::size_t row, std::size_t lane) {
-  const Quad other = Quad::gather(m.position, m.neighbour + row * lanes + lane);
+  const Quad other =
+      Quad::gather<row_length<dissipates>>(m.position, m.neighbour + row * lanes + lane);
   Seen seen;
   seen.chord = vector_of(other) - vector_of(own);
   if (m.image_shift != nullptr) seen.chord += load_vector(m.image_shift + 3 * row * lanes + lane);
@@ -64,9 +70,9 @@ struct Pull {
 
   void begin(std::size_t element, std::size_t lane) {
     offset = lane;
-    own = Quad::load(m.position + 4 * element);
-    if constexpr (dissipates)
-      own_velocity = vector_of(Quad::load(m.velocity_for_neighbours + 4 * element));
+    const double* row = m.position + row_length<dissipates> * element;
+    own = Quad::load<row_length<dissipates>>(row);
+    if constexpr (dissipates) own_velocity = vector_of(Quad::load<8>(row + 4));
     if constexpr (cracks) own_barycentre = vector_of(Quad::load(m.barycentre + 4 * element));
     force = {};
     dissipated = {};
@@ -75,15 +81,14 @@ struct Pull {
   /// Asks for what add() will gather.
   void prefetch(std::size_t row) const {
     const std::int32_t* neighbours = m.neighbour + row * lanes + offset;
-    prefetch_rows<4>(m.position, neighbours);
-    if constexpr (dissipates) prefetch_rows<4>(m.velocity_for_neighbours, neighbours);
+    prefetch_rows<row_length<dissipates>>(m.position, neighbours);
     if constexpr (cracks) prefetch_rows<4>(m.barycentre, neighbours);
   }
 
   void add(std::size_t row) {
     const Pack none(0.0);
     const std::size_t slot = row * lanes + offset;
-    const Seen seen = see(m, own, row, offset);
+    const Seen seen = see<dissipates>(m, own, row, offset);
     const Pack equilibrium = m.rest_length != nullptr ? Pack::load(m.rest_length + slot)
                                                       : Pack(1 / m.range) * seen.range;
     const Separation<Pack> at{seen.distance, seen.inverse_distance, equilibrium};
@@ -100,8 +105,7 @@ struct Pull {
       push = select(both(apart, greater(none, push)), none, push);
     }
     if constexpr (dissipates) {
-      const PackVector velocity =
-          vector_of(Quad::gather(m.velocity_for_neighbours, m.neighbour + slot));
+      const PackVector velocity = vector_of(Quad::gather<8>(m.position + 4, m.neighbour + slot));
       const Pack drag = dissipative_force(Pack(m.dissipation), seen.chord, seen.inverse_distance,
                                           own_velocity - velocity);
       push += drag;
@@ -117,6 +121,7 @@ void move_by(const Law& law_of_all, CentralMotion& m, std::size_t first, std::si
   const CentralMotion columns = m;
   Pull<Law, dissipates, cracks> pull{law, columns, 0, Pack(m.compression_ratio)};
   const std::size_t end_row = m.first_row[last];
+  const double energy_of_drag = m.dissipation > 0 ? 0.5 * m.kick / m.dissipation : 0;
   bool outran = m.outran;
   for (std::size_t block = first; block < last; ++block) {
     for (int lane = 0; lane < lanes; lane += width) {
@@ -133,14 +138,15 @@ void move_by(const Law& law_of_all, CentralMotion& m, std::size_t first, std::si
           (Pack(m.kick) * Pack::load(m.inverse_mass + element)) * pull.force;
       store_vector(velocity, m.velocity + at);
       const PackVector moved = vector_of(pull.own) + Pack(m.drift) * velocity;
-      Quad{{moved.x, moved.y, moved.z, pull.own.component[3]}}.store(m.next_position + 4 * element);
+      const Pack range_share = pull.own.component[3];
       if constexpr (dissipates) {
-        Quad{{velocity.x, velocity.y, velocity.z, Pack(0.0)}}.store(m.next_velocity_for_neighbours +
-                                                                    4 * element);
+        Row{{moved.x, moved.y, moved.z, range_share, velocity.x, velocity.y, velocity.z, Pack(0.0)}}
+            .store(m.next_position + 8 * element);
         // c (n · ΔV)² of each pair, half of it on either side.
-        (Pack::load(m.dissipated_energy + element) +
-         Pack(0.5 * m.kick / m.dissipation) * pull.dissipated)
+        (Pack::load(m.dissipated_energy + element) + Pack(energy_of_drag) * pull.dissipated)
             .store(m.dissipated_energy + element);
+      } else {
+        Quad{{moved.x, moved.y, moved.z, range_share}}.store(m.next_position + 4 * element);
       }
       if (m.listed_position != nullptr) {
         const PackVector away = moved - load_vector(m.listed_position + at);
@@ -159,7 +165,7 @@ inline void move_by_central_forces(CentralMotion& m, std::size_t first, std::siz
   std::visit(
       [&](auto law) {
         using Law = decltype(law);
-        const bool dissipates = m.velocity_for_neighbours != nullptr;
+        const bool dissipates = m.dissipated_energy != nullptr;
         if (m.barycentre != nullptr)
           dissipates ? move_by<Law, true, true>(law, m, first, last)
                      : move_by<Law, false, true>(law, m, first, last);
@@ -170,16 +176,18 @@ inline void move_by_central_forces(CentralMotion& m, std::size_t first, std::siz
       m.law);
 }
 
-inline void find_crack_faces(const CentralMotion& m, std::size_t first, std::size_t last) {
+template <bool dissipates>
+void find_crack_faces_by(const CentralMotion& m, std::size_t first, std::size_t last) {
   for (std::size_t block = first; block < last; ++block)
     for (int lane = 0; lane < lanes; lane += width) {
       const auto offset = static_cast<std::size_t>(lane);
       const std::size_t element = block * lanes + offset;
-      const Quad own = Quad::load(m.position + 4 * element);
+      const Quad own =
+          Quad::load<row_length<dissipates>>(m.position + row_length<dissipates> * element);
       PackVector sum{};
       Pack neighbours{};
       for (std::size_t row = m.first_row[block]; row < m.first_row[block + 1]; ++row) {
-        const Seen seen = see(m, own, row, offset);
+        const Seen seen = see<dissipates>(m, own, row, offset);
         const Pack counts = select(seen.inside, Pack(1.0), Pack(0.0));
         sum += counts * seen.chord;
         neighbours += counts;
@@ -192,6 +200,11 @@ inline void find_crack_faces(const CentralMotion& m, std::size_t first, std::siz
                                       Pack::load(m.neighbours_at_start + element));
       Quad{{shown.x, shown.y, shown.z, neighbours}}.store(m.barycentre + 4 * element);
     }
+}
+
+inline void find_crack_faces(const CentralMotion& m, std::size_t first, std::size_t last) {
+  m.dissipated_energy != nullptr ? find_crack_faces_by<true>(m, first, last)
+                                 : find_crack_faces_by<false>(m, first, last);
 }
 
 }  // namespace solidem::SOLIDEM_INSTRUCTION_SET

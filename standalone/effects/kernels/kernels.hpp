@@ -77,7 +77,8 @@ struct CentralMotion {
   CentralLaw law;
   const std::uint32_t* first_row;
   const std::int32_t* neighbour;
-  const double* position;  ///< x y z, α R
+  const double*
+      position;  ///< x y z, α R; where motion is dissipated also the velocity, and a spare
   double* next_position;
   double* velocity;
   const double* inverse_mass;
@@ -89,10 +90,8 @@ struct CentralMotion {
   double drift;               ///< s, by which the positions move on
 
   // Where motion is dissipated.
-  double dissipation;  ///< c, N·s/m
-  const double* velocity_for_neighbours;
-  double* next_velocity_for_neighbours;
-  double* dissipated_energy;
+  double dissipation;         ///< c, N·s/m; zero: none now
+  double* dissipated_energy;  ///< null: nowhere
 
   // Where cracks are told.
   double* barycentre;                 ///< null: none

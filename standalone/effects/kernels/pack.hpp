@@ -389,10 +389,11 @@ struct Quad {
   }
 
   /// The same for rows that follow one another.
+  template <int row_length = 4>
   static Quad load(const double* rows) {
     std::int32_t index[width];
     for (int k = 0; k < width; ++k) index[k] = k;
-    return gather(rows, index);
+    return gather<row_length>(rows, index);
   }
 
   void store(double* rows) const {
