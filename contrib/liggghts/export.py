@@ -35,7 +35,7 @@ from contrib.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # 
 #: Of the mean radius: how much farther lists look where there are contacts.
 SKIN = 0.2
 #: The same under central forces, if the scene asks for less: LIGGGHTS makes its lists slowly.
-LEAST_SKIN = 0.5
+LEAST_SKIN = 0.75
 #: Of a property over temperature that bond_coeff takes.
 MOST_POINTS = 16
 
