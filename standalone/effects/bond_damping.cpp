@@ -13,6 +13,7 @@
 
 #include "effects/assembly.hpp"
 #include "effects/beams.hpp"
+#include "effects/bond_slot.hpp"
 #include "effects/grips.hpp"
 #include "effects/pseudo_random.hpp"
 #include "effects/push.hpp"
@@ -29,9 +30,9 @@ constexpr Column motion_at_pose{"motion_at_pose",
                                 8,
                                 1,
                                 true,
-                                "m/s, rad/s",
-                                "velocity x y z, spare, angular velocity x y z, spare: led on from "
-                                "the middle of the step to the pose"};
+                                "m/s, 1/kg, rad/s, 1/(kg m²)",
+                                "velocity x y z, inverse mass, angular velocity x y z, inverse "
+                                "inertia: led on from the middle of the step to the pose"};
 constexpr Column velocity_in_step{"velocity_in_step",
                                   Site::element,
                                   Column::Layout::lanes,
@@ -56,6 +57,12 @@ constexpr Column bond_damping_energy{"bond_damping",
 class MotionAtPose : public Effect {
  public:
   MotionAtPose(const std::vector<Grip*>& grips, Model& model) : grips_(grips) {
+    double* rows = model.data(motion_at_pose);
+    for (std::size_t i = 0; i < model.elements(); ++i) {
+      rows[8 * i + 3] = model.data(columns::inverse_mass)[i];
+      if (model.has(columns::angular_velocity))
+        rows[8 * i + 7] = model.data(columns::inverse_inertia)[i];
+    }
     for_each_motion(model, [&](const Column& velocity, const Column& before, std::size_t place) {
       std::copy_n(model.data(velocity), model.size(velocity), model.data(before));
       lead(model, velocity, before, place, 0);
@@ -125,21 +132,12 @@ class BondDamping : public Effect {
   }
 
   void advance(Model& model, const Step& step) override {
-    const BeamMotion m = beams_.motion(model);
-    double* taken = model.data(bond_damping_energy);
-    const Pushes pushes(model, step);
+    BeamMotion m = beams_.motion(model);
+    m.kick = step.kick;
+    m.drift = step.time_step;
+    const DampedBonds bonds{model.data(motion_at_pose), ratio_, model.data(bond_damping_energy)};
     for_blocks(model.slots().blocks(), 40, [&](std::size_t first, std::size_t last) {
-      for (std::size_t block = first; block < last; ++block) {
-        Sum sums[lanes] = {};
-        add_block(model, m, block, sums);
-        for (int lane = 0; lane < lanes; ++lane) {
-          const std::size_t i = block * lanes + static_cast<std::size_t>(lane);
-          if (i >= model.elements()) continue;
-          taken[i] += 0.5 * step.kick * sums[lane].power;
-          pushes.push(i, sums[lane].force);
-          if (pushes.can_twist()) pushes.twist(i, sums[lane].moment);
-        }
-      }
+      kernels().damp_bonds(m, bonds, first, last);
     });
   }
 
@@ -186,30 +184,16 @@ class BondDamping : public Effect {
   };
 
   static Seen see(const BeamMotion& m, std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    const auto slot = [row, lane](const double* column, int components, int k) {
-      return column[(static_cast<std::size_t>(components) * row + static_cast<std::size_t>(k)) *
-                        lanes +
-                    static_cast<std::size_t>(lane)];
-    };
-    const double* a = m.pose + std::ptrdiff_t{8} * i;
-    const double* b = m.pose + std::ptrdiff_t{8} * j;
-    Seen seen{m.rigidity,
-              slot(m.rest_length, 1, 0),
-              {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-              {m.inverse_mass[i] + m.inverse_mass[j], 0}};
-    if (m.bond_rigidity != nullptr)
-      seen.rigidity = {slot(m.bond_rigidity, 4, 0), slot(m.bond_rigidity, 4, 1),
-                       slot(m.bond_rigidity, 4, 2), slot(m.bond_rigidity, 4, 3)};
-    if (m.image_shift != nullptr)
-      seen.chord +=
-          {slot(m.image_shift, 3, 0), slot(m.image_shift, 3, 1), slot(m.image_shift, 3, 2)};
+    const SlotReader slot{row, lane};
     // A spring has no dashpot against turning, whatever turns.
-    seen.inertia.inverse_inertia =
-        m.has_rotation ? m.inverse_inertia[i] + m.inverse_inertia[j] : 1.0;
-    return seen;
+    return {rigidity_in(m, slot),
+            slot.number(m.rest_length),
+            ends_in(m.pose, m, slot, i, j).chord,
+            {m.inverse_mass[i] + m.inverse_mass[j],
+             m.has_rotation ? m.inverse_inertia[i] + m.inverse_inertia[j] : 1.0}};
   }
 
-  /// Motion of two elements by rows of eight: velocity, spare, angular velocity, spare.
+  /// Motion of two elements by rows of eight, of which the fourth and the eighth are other than motion.
   static BondMotion<double> motion_of(const double* rows, std::int32_t i, std::int32_t j) {
     const double* a = rows + std::ptrdiff_t{8} * i;
     const double* b = rows + std::ptrdiff_t{8} * j;

@@ -17,7 +17,7 @@
 #include "effects/bond_damping.hpp"
 #include "effects/effect_kind.hpp"
 #include "effects/grips.hpp"
-#include "effects/push.hpp"
+#include "effects/kernels/kernels.hpp"
 #include "effects/turning_grip.hpp"
 #include "keys/rules.hpp"
 #include "model/lane_vectors.hpp"
@@ -59,16 +59,17 @@ struct DampingParameters {
   std::optional<double> bonds;    ///< ζ
 };
 
-/// Velocities, or angular velocities, with their inertia, and what damping remembers of them.
-struct DampedMotion {
+/// Columns of velocities, or of angular velocities, of their inertia, and of what damping remembers
+/// of them.
+struct MotionColumns {
   const Column* velocity;
   const Column* before;
   const Column* inverse_inertia;
 };
 
-constexpr DampedMotion translation{&columns::velocity, &velocity_before, &columns::inverse_mass};
-constexpr DampedMotion rotation{&columns::angular_velocity, &angular_velocity_before,
-                                &columns::inverse_inertia};
+constexpr MotionColumns translation{&columns::velocity, &velocity_before, &columns::inverse_mass};
+constexpr MotionColumns rotation{&columns::angular_velocity, &angular_velocity_before,
+                                 &columns::inverse_inertia};
 
 class Damping : public Effect {
  public:
@@ -76,27 +77,26 @@ class Damping : public Effect {
       : parameters_(parameters), motions_{translation} {
     if (model.has(columns::angular_velocity)) motions_.push_back(rotation);
     if (!parameters_.local) return;
-    for (const DampedMotion& motion : motions_)
+    for (const MotionColumns& motion : motions_)
       std::copy_n(model.data(*motion.velocity), model.size(*motion.velocity),
                   model.data(*motion.before));
     note_imposed(grips, model.elements());
   }
 
   void advance(Model& model, const Step& step) override {
-    const std::size_t elements = model.elements();
-    const double* inverse_mass = model.data(columns::inverse_mass);
-    std::vector<Velocities> all;
-    for (const DampedMotion& motion : motions_) all.push_back(velocities(model, motion));
-    const Pushes pushes(model, step);
-    const double left =
-        parameters_.viscous ? viscous_decay(*parameters_.viscous, 0.5 * step.time_step) : 1;
+    DampedElements damped{};
+    damped.translation = columns_of(model, translation);
+    if (motions_.size() > 1) damped.rotation = columns_of(model, rotation);
+    damped.inverse_mass = model.data(columns::inverse_mass);
+    damped.pose = model.positions().first;
+    damped.next_position = model.next_positions().first;
+    damped.row_length = model.positions().components;
+    damped.velocity_is_felt = model.neighbours_feel_velocity();
+    damped.time_step = step.time_step;
+    damped.left = viscous_decay(parameters_.viscous.value_or(0), 0.5 * step.time_step);
+    damped.local = parameters_.local.value_or(0);
     for_blocks(model.slots().blocks(), least_blocks_moving,
-               [&](std::size_t first, std::size_t last) {
-                 for (std::size_t i = first * lanes; i < std::min(last * lanes, elements); ++i) {
-                   if (!(inverse_mass[i] > 0)) continue;
-                   for (const Velocities& of : all) damp(of, pushes, left, i);
-                 }
-               });
+               [&](std::size_t first, std::size_t last) { kernels().damp(damped, first, last); });
   }
 
   void observe(const Model& model, Observation& observation) const override {
@@ -127,69 +127,20 @@ class Damping : public Effect {
         }
   }
 
-  /// The columns of a motion, as a step finds them; null where nothing of that kind is damped.
-  struct Velocities {
-    double *now, *before;
-    const double* inverse_inertia;
-    bool turns;
-    double *viscous, *local;  ///< energy taken from each element, J
-  };
-  Velocities velocities(Model& model, const DampedMotion& motion) const {
+  /// The columns of a motion, as a step finds them.
+  static DampedMotion columns_of(Model& model, const MotionColumns& motion) {
     const auto find = [&](const Column& column) {
       return model.has(column) ? model.data(column) : nullptr;
     };
-    return {model.data(*motion.velocity),
-            find(*motion.before),
-            model.data(*motion.inverse_inertia),
-            motion.velocity == rotation.velocity,
-            find(viscous_damping),
-            find(local_damping_energy)};
-  }
-
-  /// `left`: of a velocity after half a step of viscous damping.
-  void damp(const Velocities& of, const Pushes& pushes, double left, std::size_t i) const {
-    const double inertia = 1 / of.inverse_inertia[i];
-    const std::size_t at = Model::at(columns::velocity, i);
-    const Vector given = lanes_vector(of.now, at);
-    Vector moves = given;
-    if (parameters_.local) {
-      const Vector before = lanes_vector(of.before, at);
-      for (int axis = 0; axis < 3; ++axis)
-        component(moves, axis) +=
-            local_damping(*parameters_.local, component(before, axis), component(given, axis));
-      // The work of the damping force in the middle of the kick.
-      of.local[i] -= 0.5 * inertia * dot(moves - given, before + moves);
-    }
-    if (parameters_.viscous) moves = slowed(of, inertia, left, i, moves);
-    if (moves.x != given.x || moves.y != given.y || moves.z != given.z)
-      move(of, pushes, i, moves - given, moves);
-    // The second half of viscous damping belongs to the time after the move.
-    const Vector stays = parameters_.viscous ? slowed(of, inertia, left, i, moves) : moves;
-    set_lanes_vector(of.now, at, stays);
-    if (parameters_.local) set_lanes_vector(of.before, at, stays);
-  }
-
-  /// A velocity after half a step of viscous damping, whose energy is entered.
-  static Vector slowed(const Velocities& of, double inertia, double left, std::size_t i,
-                       const Vector& velocity) {
-    of.viscous[i] += 0.5 * inertia * (1 - left * left) * dot(velocity, velocity);
-    return left * velocity;
-  }
-
-  static void move(const Velocities& of, const Pushes& pushes, std::size_t i, const Vector& gain,
-                   const Vector& velocity) {
-    if (of.turns) {
-      pushes.turn(i, velocity);
-      return;
-    }
-    for (int axis = 0; axis < 3; ++axis) pushes.kick(i, axis, component(gain, axis));
+    return {model.data(*motion.velocity), find(*motion.before), model.data(*motion.inverse_inertia),
+            find(viscous_damping), find(local_damping_energy)};
   }
 
   /// Brings an observed velocity to what local damping leaves of it at the time of the pose; the
   /// energy taken since the last kick, J.
   double observe_local(const Model& model, ObservedMotion& observed, std::size_t kind,
                        std::size_t i) const {
-    const DampedMotion& motion = motions_[kind];
+    const MotionColumns& motion = motions_[kind];
     const double inertia = 1 / model.data(*motion.inverse_inertia)[i];
     const Vector before =
         lanes_vector(model.data(*motion.velocity), Model::at(*motion.velocity, i));
@@ -207,7 +158,7 @@ class Damping : public Effect {
   }
 
   DampingParameters parameters_;
-  std::vector<DampedMotion> motions_;       ///< translation, and rotation where there is any
+  std::vector<MotionColumns> motions_;      ///< translation, and rotation where there is any
   std::vector<std::vector<char>> imposed_;  ///< for each motion: axes of elements, 1 where imposed
 };
 

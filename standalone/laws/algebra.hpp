@@ -77,6 +77,13 @@ Real norm(const Vector3<Real>& a) {
   return sqrt(dot(a, a));
 }
 
+/// One over a root. A scalar may have a quicker way, found by argument-dependent lookup.
+template <class Real>
+constexpr Real inverse_sqrt(const Real& a) {
+  using std::sqrt;
+  return Real{1.0} / sqrt(a);
+}
+
 /// A length and what one over it and over another is.
 template <class Real>
 struct LengthAndInverses {

@@ -57,18 +57,20 @@ constexpr BondModeFactors<Real> bond_mode_stiffness(const BeamRigidity<Real>& ri
 template <class Real>
 constexpr BondModeFactors<Real> bond_mode_lightness(const BondInertia<Real>& inertia,
                                                     const Real& rest_length) {
+  const Real per_length = Real{1.0} / rest_length;
   return {inertia.inverse_mass, inertia.inverse_inertia,
-          Real{0.25} * inertia.inverse_inertia + inertia.inverse_mass / (rest_length * rest_length),
+          Real{0.25} * inertia.inverse_inertia + inertia.inverse_mass * per_length * per_length,
           inertia.inverse_inertia};
 }
 
-/// The dashpots of a bond whose damping has this critical ratio.
+/// The dashpot of a mode whose damping has this critical ratio: 2 ζ k / ω, ω² = k/m*.
 template <class Real>
 Real dashpot(const Real& critical_ratio, const Real& stiffness, const Real& lightness) {
-  using std::sqrt;
-  return Real{2.0} * critical_ratio * sqrt(stiffness / lightness);
+  return Real{2.0} * critical_ratio * stiffness *
+         inverse_sqrt(stiffness * lightness + Real{tiny_square});
 }
 
+/// The dashpots of a bond whose damping has this critical ratio.
 template <class Real>
 BondModeFactors<Real> bond_dashpots(const Real& critical_ratio, const BeamRigidity<Real>& rigidity,
                                     const Real& rest_length, const BondInertia<Real>& inertia) {
@@ -98,9 +100,8 @@ template <class Real>
 constexpr DashpotAction<Real> bond_damping(const BondModeFactors<Real>& dashpots,
                                            const Vector3<Real>& chord,
                                            const BondMotion<Real>& motion) {
-  using std::sqrt;
   const Real half{0.5};
-  const Real inverse_length = Real{1.0} / sqrt(dot(chord, chord) + Real{tiny_square});
+  const Real inverse_length = inverse_sqrt(dot(chord, chord) + Real{tiny_square});
   const Vector3<Real> n = inverse_length * chord;
   const Vector3<Real> difference = motion.spin_j - motion.spin_i;
   const Vector3<Real> mean = half * (motion.spin_i + motion.spin_j);

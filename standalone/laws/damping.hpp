@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+#include "laws/algebra.hpp"
+
 namespace solidem {
 
 /// What viscous damping leaves of a velocity after a time: exp(−c t), exact for a constant c.
@@ -22,9 +24,11 @@ inline double viscous_decay(double rate, double time) {
 /// The change that local damping makes to a component of velocity which other forces bring from
 /// `before` to `after` in a kick, m/s; the sign is that of the velocity in the middle of the kick,
 /// as in YADE's NewtonIntegrator.
-inline double local_damping(double coefficient, double before, double after) {
-  const double middle = before + after, gain = std::fabs(after - before);
-  return middle > 0 ? -coefficient * gain : middle < 0 ? coefficient * gain : 0.0;
+template <class Real>
+Real local_damping(const Real& coefficient, const Real& before, const Real& after) {
+  using std::abs;
+  const Real none{0.0}, middle = before + after, change = coefficient * abs(after - before);
+  return select(greater(middle, none), -change, select(greater(none, middle), change, none));
 }
 
 }  // namespace solidem

@@ -14,19 +14,6 @@ namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
 namespace {
 
-inline void set_orientation(Row& row, const Quaternion<Pack>& q) {
-  row.component[4] = q.w;
-  row.component[5] = q.v.x;
-  row.component[6] = q.v.y;
-  row.component[7] = q.v.z;
-}
-
-inline void add_to_centre(Row& row, const PackVector& way) {
-  row.component[0] += way.x;
-  row.component[1] += way.y;
-  row.component[2] += way.z;
-}
-
 /// Vectors of elements in a column of lanes, of which `x` says where x stands.
 inline PackVector gather_vector(const double* column, const std::int32_t* x) {
   return {gather(column, x), gather(column + lanes, x),

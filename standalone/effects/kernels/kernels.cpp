@@ -21,6 +21,8 @@ const Kernels kernels{
     move_by_central_forces,
     find_crack_faces,
     move_freely,
+    damp,
+    damp_bonds,
     push,
     lay_out_motion,
     pick_contacts,

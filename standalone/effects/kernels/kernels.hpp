@@ -139,6 +139,34 @@ struct FreeMotionColumns {
   double time_step;
 };
 
+/// Velocities, or angular velocities, that are damped.
+struct DampedMotion {
+  double* velocity;  ///< null: elements have none
+  double* before;    ///< a step before; null: no local damping
+  const double* inverse_inertia;
+  double *viscous, *local;  ///< energy that was taken from each element, J; null: none is
+};
+
+/// Elements whose motion is damped, which have moved already in this step.
+struct DampedElements {
+  DampedMotion translation, rotation;
+  const double* inverse_mass;  ///< 0: stands still
+  const double* pose;          ///< where elements turn
+  double* next_position;  ///< rows: centre, range or nothing, orientation or velocity that is felt
+  std::size_t row_length;
+  bool velocity_is_felt;
+  double time_step;
+  double left;   ///< of a velocity after half a step of viscous damping
+  double local;  ///< α
+};
+
+/// Dashpots of bonds, whose columns are those of BeamMotion.
+struct DampedBonds {
+  const double* motion;   ///< rows at the time of the pose: v, 1/m, ω, 1/J
+  double critical_ratio;  ///< ζ
+  double* energy;         ///< J, half of what was taken by the bonds of each element
+};
+
 /// Loads on some elements, which have moved already in this step.
 struct PushedElements {
   const std::int32_t* element;  ///< which; each once
@@ -224,6 +252,10 @@ struct Kernels {
   void (*find_crack_faces)(const CentralMotion&, std::size_t first, std::size_t last);
   /// Pose and velocity of elements on which nothing acts.
   void (*move_freely)(const FreeMotionColumns&, std::size_t first, std::size_t last);
+  /// What damping of motion changes of velocities and of the poses that follow: laws/damping.hpp.
+  void (*damp)(const DampedElements&, std::size_t first, std::size_t last);
+  /// The same of the dashpots of bonds: laws/bond_damping.hpp.
+  void (*damp_bonds)(const BeamMotion&, const DampedBonds&, std::size_t first, std::size_t last);
   /// What loads change of velocities and of the poses that follow; of all elements at once.
   void (*push)(const PushedElements&);
   /// Lays out the rows of some elements, in ascending order.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Kernels of elements that touch or that nothing joins, and of spheres that are packed, each in a
-// source of its own: said in kernels.hpp and specimen/soft_sphere_kernels.hpp.
+// Kernels of damping, of elements that touch or that nothing joins, and of spheres that are packed,
+// each in a source of its own: said in kernels.hpp and specimen/soft_sphere_kernels.hpp.
 #ifndef SOLIDEM_EFFECTS_KERNELS_LOOSE_KERNELS_HPP
 #define SOLIDEM_EFFECTS_KERNELS_LOOSE_KERNELS_HPP
 
@@ -11,6 +11,9 @@
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
 void move_freely(const FreeMotionColumns& columns, std::size_t first, std::size_t last);
+void damp(const DampedElements& elements, std::size_t first, std::size_t last);
+void damp_bonds(const BeamMotion& motion, const DampedBonds& bonds, std::size_t first,
+                std::size_t last);
 void push(const PushedElements& pushed);
 void lay_out_motion(const MotionRows& motion, const std::int32_t* element, std::size_t count);
 void pick_contacts(const ContactColumns& columns, std::size_t first, std::size_t last);

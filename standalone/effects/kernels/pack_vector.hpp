@@ -35,6 +35,19 @@ inline Quaternion<Pack> orientation(const Row& row) {
   return {row.component[4], {row.component[5], row.component[6], row.component[7]}};
 }
 
+inline void set_orientation(Row& row, const Quaternion<Pack>& q) {
+  row.component[4] = q.w;
+  row.component[5] = q.v.x;
+  row.component[6] = q.v.y;
+  row.component[7] = q.v.z;
+}
+
+inline void add_to_centre(Row& row, const PackVector& way) {
+  row.component[0] += way.x;
+  row.component[1] += way.y;
+  row.component[2] += way.z;
+}
+
 inline PackVector select(Mask condition, const PackVector& a, const PackVector& b) {
   return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
 }
