@@ -55,7 +55,7 @@ if(IS_DIRECTORY /usr/include/liggghts)
   install(DIRECTORY contrib/liggghts/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/liggghts-solidem
     COMPONENT liggghts-solidem EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN "*.md" PATTERN "doc/*.txt")
-  install(FILES contrib/prepared.py DESTINATION ${sources}/contrib
+  install(FILES contrib/prepared.py contrib/explained.py DESTINATION ${sources}/contrib
     COMPONENT liggghts-solidem EXCLUDE_FROM_ALL)
   install(DIRECTORY standalone/laws DESTINATION ${sources}/standalone
     COMPONENT liggghts-solidem EXCLUDE_FROM_ALL)

@@ -20,7 +20,8 @@ from compare.codes.base import Code, Job
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure, Result
 from compare.row import RunLine
-from contrib.prepared import PreparedError, parse_parameters, read_specimen
+from contrib.explained import parse_parameters
+from contrib.prepared import PreparedError, read_specimen
 
 Say = Callable[[str], None]
 

@@ -21,7 +21,8 @@ from compare.codes.base import Code, Job
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure, Result
 from compare.runs import replace_words, table_text
-from contrib.prepared import PreparedError, parse_parameters, read_specimen
+from contrib.explained import parse_parameters
+from contrib.prepared import PreparedError, read_specimen
 
 #: A time step as a fraction of the true limit of the very body, in place of the criterion's.
 STEP_OF_LIMIT = re.compile(r"^time_step_of_limit = ([0-9.]+)$", re.MULTILINE)

@@ -11,7 +11,8 @@ from compare.codes.base import Job
 from compare.codes.liggghts import Liggghts
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure
-from contrib.prepared import PreparedError, parse_parameters, read_specimen
+from contrib.explained import parse_parameters
+from contrib.prepared import PreparedError, read_specimen
 
 
 def job_of(base: str, effect: str, steps: int, folder: Path) -> Job:

@@ -25,7 +25,8 @@ from compare.codes.liggghts import Liggghts
 from compare.codes.standalone import Standalone
 from compare.codes.yade import Yade
 from compare.result import CodeFailure
-from contrib.prepared import parse_parameters, read_specimen
+from contrib.explained import parse_parameters
+from contrib.prepared import read_specimen
 
 from .document import HERE, processor
 

@@ -25,12 +25,13 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+from contrib.explained import parse_parameters  # noqa: E402
 from contrib.liggghts.contacts import (Types, differences, friction_lines, full,  # noqa: E402
                                        has_contacts, has_meshes, pair_lines, require_same_law, tool_lines,
                                        tool_places, touch_lines, types_of)
 from contrib.prepared import (Beams, CentralForces, Contact, Damage, Floats,  # noqa: E402
                               Grip, Integers, OverTemperature, Parameters, Plasticity,
-                              PreparedError, Rupture, Specimen, parse_parameters, read_specimen)
+                              PreparedError, Rupture, Specimen, read_specimen)
 
 #: Of the mean radius: how much farther lists look where there are contacts.
 SKIN = 0.2

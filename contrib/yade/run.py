@@ -19,7 +19,8 @@ from pathlib import Path
 _HERE = Path(sys.argv[0]).resolve().parent
 sys.path[:0] = [str(_HERE), str(_HERE.parent)]
 
-from prepared import Parameters, Specimen, read_parameters, read_specimen  # noqa: E402
+from explained import read_parameters  # noqa: E402
+from prepared import Parameters, Specimen, read_specimen  # noqa: E402
 from results import Recorder  # noqa: E402
 from yade import config  # noqa: E402
 

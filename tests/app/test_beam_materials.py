@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 
-from contrib.prepared import parse_parameters
+from contrib.explained import parse_parameters
 
 CHAIN = """\
 [specimen]

@@ -9,7 +9,7 @@ import re
 import pytest
 from scene_parts import CONDUCTING_ALUMINIUM, STIFF_BEAMS, crystal
 
-from contrib.prepared import KNOWN_SECTIONS, parse_parameters
+from contrib.explained import KNOWN_SECTIONS, parse_parameters
 
 #: A body on which each effect can act that other codes are not told of.
 BODY = (crystal("simple_cubic", 4, 3, 3)

@@ -13,7 +13,8 @@ import pytest
 from prepared_bar import Bar, beam_task, heat_task, loaded_task, run_yade
 
 from compare.result import CodeFailure
-from contrib.prepared import PreparedError, parse_parameters, read_specimen
+from contrib.explained import parse_parameters
+from contrib.prepared import PreparedError, read_specimen
 
 
 def refuses(bar: Path, task: dict[str, Any], directory: Path, words: str) -> None:
