@@ -36,7 +36,10 @@ inline void add(Mask lanes_that_do, Pack what, double* column) {
 
 /// Moves centres, and the velocities that neighbours feel, by what velocities have gained.
 inline void move_on(const DampedElements& d, std::size_t element, const PackVector& gain) {
-  const double* const gains[] = {&gain.x.v[0], &gain.y.v[0], &gain.z.v[0]};
+  alignas(64) double gains[3][width];
+  gain.x.store(gains[0]);
+  gain.y.store(gains[1]);
+  gain.z.store(gains[2]);
   for (int k = 0; k < width; ++k) {
     double* const row = d.next_position + d.row_length * (element + static_cast<std::size_t>(k));
     for (int axis = 0; axis < 3; ++axis) {
