@@ -67,6 +67,7 @@ void Grip::remember(const Model& model, double time) {
 }
 
 double Grip::force_work(const Model& model, double time) const {
+  const PresentElements is_present(model);
   const double total_mass = present_mass(model);
   double work = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -74,7 +75,7 @@ double Grip::force_work(const Model& model, double time) const {
     if (control.kind != AxisControl::Kind::force) continue;
     const double mean_force = 0.5 * (control.function(last_time_) + control.function(time));
     for (std::size_t k = 0; k < last_position_.size(); ++k) {
-      if (!is_present(model, elements_[k])) continue;
+      if (!is_present(elements_[k])) continue;
       const double now = model.positions()[static_cast<std::size_t>(elements_[k])][axis];
       work += mean_force * mass_[k] / total_mass * (now - component(last_position_[k], axis));
     }
@@ -83,13 +84,15 @@ double Grip::force_work(const Model& model, double time) const {
 }
 
 double Grip::present_mass(const Model& model) const {
+  const PresentElements is_present(model);
   double sum = 0;
   for (std::size_t k = 0; k < elements_.size(); ++k)
-    if (is_present(model, elements_[k])) sum += mass_[k];
+    if (is_present(elements_[k])) sum += mass_[k];
   return sum;
 }
 
 void Grip::advance(Model& model, const Step& step) {
+  const PresentElements is_present(model);
   double* velocity = model.data(columns::velocity);
   const auto positions = model.positions(), next = model.next_positions();
   if (applies_force()) {
@@ -108,7 +111,7 @@ void Grip::advance(Model& model, const Step& step) {
       const double moved = place - before;
       double bond_force = 0;
       for (std::size_t k = 0; k < elements_.size(); ++k) {
-        if (!is_present(model, elements_[k])) continue;
+        if (!is_present(elements_[k])) continue;
         const auto i = static_cast<std::size_t>(elements_[k]);
         double& v = velocity[Model::at(columns::velocity, i, axis)];
         bond_force += v * mass_[k];
@@ -124,7 +127,7 @@ void Grip::advance(Model& model, const Step& step) {
       const double gain = force / total_mass * step.kick;
       const Pushes pushes(model, step);
       for (std::size_t k = 0; k < elements_.size(); ++k) {
-        if (!is_present(model, elements_[k])) continue;
+        if (!is_present(elements_[k])) continue;
         pushes.kick(static_cast<std::size_t>(elements_[k]), axis, gain);
       }
     }
@@ -170,9 +173,10 @@ void Grip::correct_motion(const Model& model, const Vector& grip_force,
   const bool held = parameters_.rotation_fixed && model.has(columns::angular_velocity);
   const double total_mass = present_mass(model);
   ObservedMotion& motion = observation.motion;
+  const PresentElements is_present(model);
   double& energy = motion.kinetic_energy;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
-    if (!is_present(model, elements_[k])) continue;
+    if (!is_present(elements_[k])) continue;
     const auto i = static_cast<std::size_t>(elements_[k]);
     for (int axis = 0; axis < 3; ++axis) {
       double& v = component(motion.velocity[i], axis);

@@ -7,12 +7,19 @@
 
 namespace solidem {
 
-/// Whether an element was not removed: those that were stand still, whatever pushes them, as
+/// Tells elements that were not removed: those that were stand still, whatever pushes them, as
 /// nothing accelerates them.
-template <class Index>
-bool is_present(const Model& model, Index element) {
-  return model.data(columns::inverse_mass)[element] > 0;
-}
+class PresentElements {
+ public:
+  explicit PresentElements(const Model& model) : inverse_mass_(model.data(columns::inverse_mass)) {}
+  template <class Index>
+  bool operator()(Index element) const {
+    return inverse_mass_[element] > 0;
+  }
+
+ private:
+  const double* inverse_mass_;
+};
 
 }  // namespace solidem
 

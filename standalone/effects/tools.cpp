@@ -169,11 +169,12 @@ void Tool::search(const Model& model) {
   const std::size_t elements = model.elements();
   std::vector<double> gap(elements, std::numeric_limits<double>::infinity());
   listed_at_.resize(elements);
+  const PresentElements is_present(model);
   for_blocks(elements, least_elements, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       listed_at_[i] = centre_of(model, i);
       const double reach = radius_[i] + skin_;
-      if (!is_present(model, i)) continue;
+      if (!is_present(i)) continue;
       const double distance = shape_->distance(now.to_body(listed_at_[i]), reach + watch_);
       if (distance < reach + watch_) gap[i] = distance - radius_[i];
     }

@@ -36,11 +36,12 @@ void TurningGrip::add(Load& load, const Vector& place, const Vector& force,
 }
 
 TurningGrip::Load TurningGrip::take_load(Model& model, double kick) const {
+  const PresentElements is_present(model);
   Load load;
   const bool turns = model.has(columns::angular_velocity);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const auto i = static_cast<std::size_t>(elements_[k]);
-    if (!is_present(model, i)) continue;
+    if (!is_present(i)) continue;
     const double* now = model.positions()[i];
     double* velocity = model.data(columns::velocity);
     const std::size_t at = Model::at(columns::velocity, i);
@@ -60,10 +61,11 @@ TurningGrip::Load TurningGrip::take_load(Model& model, double kick) const {
 }
 
 double TurningGrip::inertia(const Model& model) const {
+  const PresentElements is_present(model);
   double sum = 0;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const auto i = static_cast<std::size_t>(elements_[k]);
-    if (!is_present(model, i)) continue;
+    if (!is_present(i)) continue;
     const Vector arm = cross(turn_.axis, rest_[k] - turn_.point);
     sum += dot(arm, arm) / model.data(columns::inverse_mass)[i];
     if (model.has(columns::inverse_inertia)) sum += 1 / model.data(columns::inverse_inertia)[i];
@@ -97,9 +99,10 @@ void TurningGrip::advance(Model& model, const Step& step) {
   angle_ = is_driven() ? angle_ + turned : imposed_angle(after);
   const Quaternion<double> orientation = rotation_about(turn_.axis, angle_);
   const bool has_orientation = model.has(columns::angular_velocity);
+  const PresentElements is_present(model);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const auto i = static_cast<std::size_t>(elements_[k]);
-    if (!is_present(model, i)) continue;
+    if (!is_present(i)) continue;
     const Vector target = place(k, displacement_, angle_);
     const double* now = model.positions()[i];
     double* next = model.next_positions()[i];
@@ -115,10 +118,11 @@ void TurningGrip::advance(Model& model, const Step& step) {
 }
 
 void TurningGrip::observe(const Model& model, Observation& observation) const {
+  const PresentElements is_present(model);
   Load load;
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
-    if (!is_present(model, i)) continue;
+    if (!is_present(i)) continue;
     const double* now = model.positions()[i];
     const bool turns = !observation.motion.moment.empty();
     add(load, {now[0], now[1], now[2]}, observation.motion.force[i],
@@ -152,10 +156,11 @@ void TurningGrip::observe(const Model& model, Observation& observation) const {
 
 void TurningGrip::correct_motion(const Model& model, const Vector& velocity, double rate,
                                  Observation& observation) const {
+  const PresentElements is_present(model);
   ObservedMotion& motion = observation.motion;
   for (const std::int32_t e : elements_) {
     const auto i = static_cast<std::size_t>(e);
-    if (!is_present(model, i)) continue;
+    if (!is_present(i)) continue;
     const double* now = model.positions()[i];
     const double inverse_mass = model.data(columns::inverse_mass)[i];
     Vector& v = motion.velocity[i];
