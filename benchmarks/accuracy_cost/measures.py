@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 import compare.heat_measures  # noqa: F401  (makes its measures known)
+from benchmarks.accuracy_cost.known import Figure, Figures
 from benchmarks.accuracy_cost.study import Reading, Study
 from compare.case import Case, Check, Variant
 from compare.codes.base import Job
@@ -26,10 +27,16 @@ class OneRun(CaseRuns):
     """One run that is over, in the form that measures look at."""
 
     def __init__(self, case: Case, job: Job, result: Result, kept: dict[Any, Any],
-                 reference: Result | None = None):
-        """`kept` is shared by all runs of a study."""
+                 reference: Result | None = None, known: Figures | None = None):
+        """`kept` is shared by all runs of a study; `known` is what no run gave."""
         self.case, self._job, self._result, self.kept = case, job, result, kept
-        self._reference = reference
+        self._reference, self._known = reference, known or {}
+
+    def known(self, name: str) -> Figure:
+        """A figure that no run gave."""
+        if name not in self._known:
+            raise CodeFailure(f"no {name!r} is known; there are {', '.join(self._known) or 'none'}")
+        return self._known[name]
 
     def job(self, variant: str) -> Job:
         """What the code was given."""
@@ -102,18 +109,23 @@ def curve_error(view: View) -> Measured:
     return Measured(float(np.abs(y[rows] - right).max() / np.abs(right_y).max()))
 
 
+def slope_of(view: View, result: Result) -> float:
+    """Of the straight line fitted to the part of a curve; of a body that was solved for at rest that
+    through the origin."""
+    x, y = _curve(view, result)
+    if len(x) == 1:
+        return float(y[0] / x[0])
+    rows = _part(view, x)
+    return float(np.polyfit(x[rows], y[rows], 1)[0])
+
+
 @measure
 def slope_error(view: View) -> Measured:
     """Relative difference of the slope of a curve from the reference's.
 
     Options as of curve_error; the slope is that of a straight line fitted to the part.
     """
-    slopes = []
-    for result in (view.tested, view.other):
-        x, y = _curve(view, result)
-        rows = _part(view, x)
-        slopes.append(float(np.polyfit(x[rows], y[rows], 1)[0]))
-    return Measured(abs(slopes[0] / slopes[1] - 1))
+    return Measured(abs(slope_of(view, view.tested) / slope_of(view, view.other) - 1))
 
 
 @measure
@@ -142,15 +154,16 @@ def end_error(view: View) -> Measured:
 
 
 def errors(study: Study, reading: Reading, job: Job, result: Result,
-           kept: dict[Any, Any], reference: Result | None = None) -> dict[str, float]:
+           kept: dict[Any, Any], reference: Result | None = None,
+           known: Figures | None = None) -> dict[str, float]:
     """The reading's errors by name; CodeFailure when the result cannot be measured."""
     variant = Variant("run", (result.code,))
     case = Case(study.name, study.title, study.path, None, (variant,), (), options=study.options)
-    runs = OneRun(case, job, result, kept, reference)
+    runs = OneRun(case, job, result, kept, reference, known)
     found = {}
     for name, options in reading.options.items():
         check = Check(name, reading.measure, "A", result.code,
-                      "reference" if reading.reference else "exact", 1.0, "", options=options)
+                      "reference" if reference else "exact", 1.0, "", options=options)
         found[name] = MEASURES[reading.measure](View(runs, check, variant)).error
         if not np.isfinite(found[name]):
             raise CodeFailure(f"{name} is {found[name]}")

@@ -152,7 +152,8 @@ def _readings(document: Document, study: Study, points: Sequence[Median]) -> Non
         words = []
         for law in (v.labels["law"] for v in study.axes["law"]):
             factors = [m.error / first[tuple(m.labels.items())].error for m in points
-                       if m.reading == reading.name and m.labels["law"] == law]
+                       if m.reading == reading.name and m.labels["law"] == law
+                       and first[tuple(m.labels.items())].error > 0]
             if factors and not reading.panel:
                 words.append(f"{_factor(statistics.median(factors))} ({law})")
         if words:

@@ -135,7 +135,9 @@ def gains(study: Study, points: Sequence[Median]) -> list[Gain]:
     """
     found = []
     for move in study.moves:
-        pairs = _pairs(study, move, points)
+        # A point that is its own reference errs by nothing, which tells nothing.
+        pairs = [(before, after) for before, after in _pairs(study, move, points)
+                 if before.error > 0 and after.error > 0]
         if not pairs:
             continue
         errors = [after.error / before.error for before, after in pairs]

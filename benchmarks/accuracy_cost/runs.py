@@ -15,6 +15,9 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any, Callable
 
+import benchmarks.accuracy_cost.known_measures  # noqa: F401  (makes its measures known)
+from benchmarks.accuracy_cost.calibration import Calibrations
+from benchmarks.accuracy_cost.known import Figures, figures
 from benchmarks.accuracy_cost.measures import errors
 from benchmarks.accuracy_cost.study import Point, Study
 from compare.codes.base import Code, Job
@@ -26,6 +29,9 @@ from contrib.prepared import PreparedError, read_specimen
 
 #: A time step as a fraction of the true limit of the very body, in place of the criterion's.
 STEP_OF_LIMIT = re.compile(r"^time_step_of_limit = ([0-9.]+)$", re.MULTILINE)
+
+#: Codes that read the scene themselves.
+OWN = ("standalone", "statics")
 
 
 @dataclass(frozen=True)
@@ -41,7 +47,7 @@ class Run:
     steps: int
     seconds: float  #: of the steps
     set_up_seconds: float | None  #: reading, tessellation, calibration, bonds; None: not told
-    packing_seconds: float  #: of the specimen, made once and shared
+    packing_seconds: float  #: of the specimen and of finding its bonds, made once and shared
     errors: dict[str, dict[str, float]]  #: reading -> name -> relative error
     summary: dict[str, Any] = field(default_factory=dict)  #: what the program said of itself
 
@@ -119,6 +125,8 @@ class Bench:
         self._kept_runs, self._work = folder / "runs", folder / "work"
         self._kept_runs.mkdir(parents=True, exist_ok=True)
         self.specimens = Specimens(folder / "specimens", standalone, self.program)
+        self.calibrations = Calibrations(folder / "calibrations", standalone, self.program)
+        self._known = folder / "known"
         self._series: dict[Any, Any] = {}
         self._limits: dict[str, float] = {}
         self._references: dict[str, Result | CodeFailure] = {}
@@ -151,9 +159,16 @@ class Bench:
             self.codes[name].missing()
         for study, point, repetition in todo:
             try:
-                self.specimens.get(scene_of(study, point, repetition), study.timeout)
+                text = scene_of(study, point, repetition)
+                self.specimens.get(text, study.timeout)
+                self.calibrations.get(text, study.timeout)
+                self.known(study)
             except CodeFailure:
                 continue
+
+    def known(self, study: Study) -> dict[str, Figures]:
+        """What a study knows without a run."""
+        return {name: figures(options, self._known) for name, options in study.known.items()}
 
     def _run(self, study: Study, point: Point, repetition: int, order: int) -> Run:
         """One run, or what is kept of it."""
@@ -162,7 +177,8 @@ class Bench:
             text, point.code, json.dumps(point.environment, sort_keys=True), self.program,
             str(repetition), json.dumps([asdict(r) for r in study.readings]),
             json.dumps(study.options),
-            json.dumps({k: asdict(r) for k, r in study.references.items()})) + ".json")
+            json.dumps({k: asdict(r) for k, r in study.references.items()}),
+            json.dumps(study.known)) + ".json")
         if kept.exists():
             return Run(**{**json.loads(kept.read_text()), "order": order, "labels": point.labels})
         shutil.rmtree(self._work, ignore_errors=True)
@@ -179,9 +195,11 @@ class Bench:
         code = self.codes.get(point.code)
         if code is None or (reason := code.missing()):
             raise CodeFailure(f"{point.code} is missing" + (f": {reason}" if code else ""))
-        references = {r.reference: self._reference(study, point, r.reference, repetition)
-                      for r in study.readings if r.reference}
+        references = {name: self._reference(study, point, name, repetition)
+                      for name in study.runs_of()}
+        known = self.known(study)
         specimen, packing = self.specimens.get(text, study.timeout)
+        text, calibrating = self.calibrations.get(text, study.timeout)
         scene = self._write_scene(text, specimen, study.timeout)
         job = self._job(study, point, scene, specimen, text)
         before = {name: os.environ.get(name) for name in point.environment}
@@ -192,11 +210,14 @@ class Bench:
             for name, value in before.items():
                 os.environ.pop(name) if value is None else os.environ.update({name: value})
         found = {reading.name: errors(study, reading, job, result, self._series,
-                                      references.get(reading.reference))
+                                      references.get(reading.reference),
+                                      known.get(reading.reference))
                  for reading in study.readings}
         summary, set_up = self._summary(point)
+        # A body at rest is solved for in no steps; what is no set-up is that.
+        seconds = result.wall_seconds - (set_up or 0) if point.code == "statics" else result.wall_seconds
         return Run(study.name, point.labels, repetition, order, result.elements, result.bonds,
-                   result.steps, result.wall_seconds, set_up, packing, found, summary)
+                   result.steps, seconds, set_up, packing + calibrating, found, summary)
 
     def _write_scene(self, text: str, specimen: Path, timeout: float) -> Path:
         """The scene as codes get it: its specimen a file, its time step a number."""
@@ -215,23 +236,25 @@ class Bench:
         return scene
 
     def _reference(self, study: Study, point: Point, name: str, repetition: int) -> Result:
-        """The run that a point is compared with, made once by the standalone program."""
+        """The run that a point is compared with, made once by the standalone program or its statics."""
         reference = study.reference_of(point, name)
         own = study.references[name].own_specimen
         text = scene_of(study, reference, repetition if own else 1)
-        if text not in self._references:
-            self._references[text] = self._make_reference(study, text)
-        found = self._references[text]
+        key = f"{reference.code}\n{text}"
+        if key not in self._references:
+            self._references[key] = self._make_reference(study, text, reference.code)
+        found = self._references[key]
         if isinstance(found, CodeFailure):
             raise found
         return found
 
-    def _make_reference(self, study: Study, text: str) -> Result | CodeFailure:
+    def _make_reference(self, study: Study, text: str, code: str) -> Result | CodeFailure:
         try:
             specimen, _ = self.specimens.get(text, study.timeout)
+            text, _ = self.calibrations.get(text, study.timeout)
             scene = self._write_scene(text, specimen, study.timeout)
             job = self._standalone_job(study, scene, specimen)
-            result = self._standalone.run(job, self._work / "reference").check()
+            result = self.codes[code].run(job, self._work / "reference").check()
             shutil.rmtree(self._work / "reference")
             return replace(result, frames=[])
         except CodeFailure as failure:
@@ -239,13 +262,13 @@ class Bench:
 
     def _summary(self, point: Point) -> tuple[dict[str, Any], float | None]:
         """What the standalone program said of itself, and its set-up, s."""
-        if point.code != "standalone":
+        if point.code not in OWN:
             return {}, None
         said = json.loads((self._work / point.code / "results" / "summary.json").read_text())
         wall = said["wall_seconds"]
         kept = ("solidem", "precision", "threads", "instruction_set", "hardware", "integrator",
                 "time_step", "time_step_limit", "peak_memory_bytes", "wall_seconds")
-        return {k: said[k] for k in kept if k in said}, wall["specimen"] + wall["set-up"]
+        return {k: said[k] for k in kept if k in said}, wall.get("specimen", 0) + wall["set-up"]
 
     @staticmethod
     def _standalone_job(study: Study, scene: Path, specimen: Path) -> Job:
@@ -255,8 +278,9 @@ class Bench:
                    study.timeout, study.options)
 
     def _job(self, study: Study, point: Point, scene: Path, specimen: Path, text: str) -> Job:
-        """The job; other codes also need what `prepare` and `explain` give."""
-        if point.code == "standalone":
+        """The job; other codes, and measures that ask for it, also need what `prepare` and `explain`
+        give."""
+        if point.code in OWN and not study.options.get("prepared"):
             return self._standalone_job(study, scene, specimen)
         prepared = self._work / "prepared.h5"
         self._standalone.call(["prepare", scene, "--output", prepared, "--overwrite"],

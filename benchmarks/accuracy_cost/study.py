@@ -36,8 +36,8 @@ class Point:
 
     @property
     def code(self) -> str:
-        """The code that runs it: the label `code`, if an axis gives it."""
-        return self.labels.get("code", "standalone")
+        """The code that runs it: the label `solver` or `code`, if an axis gives one."""
+        return self.labels.get("solver") or self.labels.get("code", "standalone")
 
     @property
     def name(self) -> str:
@@ -70,7 +70,7 @@ class Reading:
     name: str
     measure: str  #: of compare/ or of measures.py
     options: dict[str, dict[str, Any]]  #: by what the table calls it
-    reference: str = ""  #: the run that the measure compares with, if it needs one
+    reference: str = ""  #: the run, or what is known, that the measure compares with, if it needs one
     panel: bool = False  #: has a picture of its own
 
 
@@ -114,6 +114,12 @@ class Study:
     references: dict[str, Reference] = field(default_factory=dict)
     markers: str = "integrator"  #: the label that the markers of the picture tell
     kind: str = ""  #: of scene, as `solidem advise` calls it
+    known: dict[str, dict[str, Any]] = field(default_factory=dict)  #: values that no run gives
+    orders: bool = True  #: whether errors come of the size of elements, so that they fall at some order
+
+    def runs_of(self) -> list[str]:
+        """References of readings that are runs, in their order."""
+        return list(dict.fromkeys(r.reference for r in self.readings if r.reference in self.references))
 
     def reference_of(self, point: Point, name: str) -> Point:
         """The point that a point is compared with."""
@@ -230,7 +236,7 @@ def _references(table: dict[str, Any], axes: dict[str, list[Value]],
     return found
 
 
-def _readings(table: dict[str, Any], references: dict[str, Reference],
+def _readings(table: dict[str, Any], references: list[str],
               where: str) -> tuple[Reading, ...]:
     readings = tuple(Reading(r["name"], r["measure"], r["options"], r.get("reference", ""),
                              bool(r.get("panel", False))) for r in table.pop("reading"))
@@ -254,7 +260,10 @@ def _study(table: dict[str, Any], path: Path) -> Study:
         for key, word in value.labels.items():
             labels.setdefault(key, set()).add(word)
     references = _references(table, axes, where)
-    readings = _readings(table, references, where)
+    known = table.pop("known", {})
+    if both := set(known) & set(references):
+        raise StudyError(f"{where}: {both.pop()!r} is a run and known; choose another name")
+    readings = _readings(table, [*references, *known], where)
     markers = table.pop("markers", "integrator")
     if markers not in labels:
         raise StudyError(f"{where}: markers = {markers!r}; known: {', '.join(labels)}")
@@ -265,7 +274,7 @@ def _study(table: dict[str, Any], path: Path) -> Study:
         _rules(table, labels, where), tuple(table.pop("not_covered", [])),
         _where(table.pop("quick", {}), labels, f"{where}: [quick]"),
         int(table.pop("repetitions")), float(table.pop("timeout")), table.pop("options", {}),
-        references, markers, kind)
+        references, markers, kind, known, bool(table.pop("orders", True)))
     if table:
         raise StudyError(f"{where}: unknown key {next(iter(table))!r}")
     if not study.points():

@@ -13,14 +13,36 @@ import numpy as np
 from compare.codes.base import Job, TwoSpheres
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure, Floats, Frame, Result
+from contrib.prepared import Parameters
+
+#: Sections that a body is cut into to tell bending from twisting and stretching.
+SECTIONS = 12
+
+
+def motion_of_sections(path: Path, radius: Floats) -> dict[str, Floats]:
+    """mode_x, mode_y, mode_z (see Statics) of a file of vibrations."""
+    shares = []
+    with h5py.File(path) as file:
+        for _, group in sorted(file["frames"].items()):
+            place, moved = np.asarray(group["position"]), np.asarray(group["displacement"])
+            along = place[:, int(np.argmax(np.ptp(place, axis=0)))]
+            section = np.minimum(((along - along.min()) / np.ptp(along) * SECTIONS).astype(int),
+                                 SECTIONS - 1)
+            mass = radius**3
+            total = np.maximum(np.bincount(section, mass, SECTIONS), 1e-9 * mass.sum())
+            mean = np.stack([np.bincount(section, mass * moved[:, axis], SECTIONS) / total
+                             for axis in range(3)], axis=1)
+            shares.append((total @ mean**2) / (mass @ (moved**2).sum(axis=1)))
+    return {f"mode_{axis}": column for axis, column in zip("xyz", np.transpose(shares))}
 
 
 @dataclass
 class Statics:
     """The solver of the standalone program. The case's [options] may ask for `modes` vibrations.
 
-    The history of its result has one row for what sensors, grips and a gauge show at rest, and a
-    column `frequency` (Hz) with a row for each vibration.
+    The history of its result has one row for what sensors, grips and a gauge show at rest, and
+    columns `frequency` (Hz) and `mode_x`, `mode_y`, `mode_z` with a row for each vibration: how much of
+    its motion is that of whole sections along an axis (sections across the longest side).
     """
 
     name: str = "statics"
@@ -57,9 +79,11 @@ class Statics:
                 for quantity in ("displacement", "force"):
                     for axis, value in zip("xyz", shown.get(quantity) or []):
                         history[f"{kind[:-1]}.{name}.{quantity}_{axis}"] = np.array([value])
-        for quantity in ("stress", "strain"):
+        for quantity in ("stress", "strain", "lateral_strain"):
             if quantity in (gauge := summary.get("gauge") or {}):
                 history[f"gauge.{quantity}"] = np.array([gauge[quantity]])
+        if len(history["frequency"]):
+            history |= motion_of_sections(results / "modes.h5", job.specimen.radius)
         with h5py.File(results / "trajectory.h5") as file:
             group = next(iter(file["frames"].values()))
             frame = Frame(int(group.attrs["step"]), float(group.attrs["time"]),

@@ -14,10 +14,11 @@ from compare.references.rod import rod_temperature
 from compare.references.slender_beam import (cantilever_frequencies, cantilever_roots,
                                              circular_second_moment, collapse_load,
                                              tip_deflection)
+from compare.references.timoshenko_beam import RectangularBeam
 from compare.references.wedge import wedge_temperature
 
-__all__ = ["HotPlate", "Layer", "MovingDisc", "beam_stiffness", "bessel_j1", "bilinear_stress",
-           "cantilever_frequencies", "cantilever_roots", "circular_second_moment",
-           "collapse_load", "cyclic_stress", "finite_difference_step", "layers_temperature",
-           "moving_disc_temperature", "rod_temperature", "scaled_offset_stress",
-           "spring_stiffness", "tip_deflection", "wedge_temperature"]
+__all__ = ["HotPlate", "Layer", "MovingDisc", "RectangularBeam", "beam_stiffness", "bessel_j1",
+           "bilinear_stress", "cantilever_frequencies", "cantilever_roots",
+           "circular_second_moment", "collapse_load", "cyclic_stress", "finite_difference_step",
+           "layers_temperature", "moving_disc_temperature", "rod_temperature",
+           "scaled_offset_stress", "spring_stiffness", "tip_deflection", "wedge_temperature"]

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Values that readings are held against and that no run of solidem gave: finite elements (CalculiX), beam
+theory, a law in one point, figures that are given. Each tells its own error."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Callable, Sequence
+
+import numpy as np
+
+from benchmarks.adiabatic_flow.law import TESTS, adiabatic
+from compare.codes.calculix_solids import Solid, bar_frequencies, bar_stiffness
+from compare.references import RectangularBeam
+from compare.result import CodeFailure
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One value and how far it may be off."""
+
+    value: float  #: SI units
+    error: float  #: its own, relative; 0: exact, or given
+    source: str  #: where it comes from, in words
+
+
+Figures = dict[str, Figure]
+
+
+def extrapolated(values: Sequence[float], meshes: str) -> Figure:
+    """The limit of values on meshes each twice as fine as the one before (three of them); its error is how
+    far the finest is from it."""
+    coarse, middle, fine = values
+    ratio = (coarse - middle) / (middle - fine) if middle != fine else math.inf
+    # Where differences do not fall, there is nothing to extrapolate by.
+    limit = fine + (fine - middle) / (ratio - 1) if ratio > 1.2 else fine
+    off = max(abs(limit - fine), 0.0 if ratio > 1.2 else abs(fine - middle))
+    return Figure(limit, off / abs(limit), f"CalculiX, extrapolated over {meshes}")
+
+
+def _meshes(cells: Sequence[int]) -> tuple[list[tuple[int, int, int]], str]:
+    x, y, z = cells
+    found = [(n * x, n * y, n * z) for n in (1, 2, 4)]
+    return found, "meshes of " + ", ".join("×".join(map(str, each)) for each in found) + \
+        " bricks of twenty nodes"
+
+
+def _bar(options: dict[str, Any], folder: Path) -> Figures:
+    """Of a bar: `size` (m, what is free between what is held and its end), `young_modulus`,
+    `poisson_ratio`, `density`, `cells` of the coarsest mesh, and `load` ("tension", "bending") for its
+    stiffness or `frequencies` (how many)."""
+    solid = Solid(tuple(options["size"]), options["young_modulus"], options["poisson_ratio"],
+                  options.get("density", 1.0))
+    meshes, words = _meshes(options["cells"])
+    beam = RectangularBeam(solid.size[0], solid.size[2], solid.size[1], solid.young_modulus,
+                           solid.poisson_ratio, solid.density)
+    names: list[str] = []
+    rows: list[list[float]] = []
+    theory: list[float] = []
+    if load := options.get("load"):
+        names, rows = ["stiffness"], [[bar_stiffness(solid, load, mesh, folder)] for mesh in meshes]
+        section = solid.size[1] * solid.size[2]
+        theory = [beam.tip_stiffness if load == "bending"
+                  else solid.young_modulus * section / solid.size[0]]
+    if count := options.get("frequencies"):
+        names = [f"frequency {n + 1}" for n in range(count)]
+        rows = [list(bar_frequencies(solid, count, mesh, folder)) for mesh in meshes]
+        theory = list(beam.frequencies(count))
+    found: Figures = {}
+    for name, values, simple in zip(names, np.transpose(rows), theory):
+        figure = found[name] = extrapolated([float(v) for v in values], words)
+        found[f"{name}, beam theory"] = Figure(
+            simple, abs(simple / figure.value - 1),
+            "E S / l" if options.get("load") == "tension" else "a beam of Timoshenko, κ of Cowper")
+    return found
+
+
+def _given(options: dict[str, Any], folder: Path) -> Figures:
+    """What the table says: `source`, `values` (name -> number), `errors` (of some of them)."""
+    errors = options.get("errors", {})
+    return {name: Figure(float(value), float(errors.get(name, 0)), options["source"])
+            for name, value in options["values"].items()}
+
+
+def _adiabatic_flow(options: dict[str, Any], folder: Path) -> Figures:
+    """Rises of table 4.1 of Terreros 2013: `start` (K) and `rate` (1/s) choose the test; by the law alone in
+    one point ("rise at .026"), and measured ("rise at .026, measured")."""
+    test = next((t for t in TESTS if (t.start, t.rate) == (options["start"], options["rate"])), None)
+    if test is None:
+        raise CodeFailure(f"no test starts at {options['start']} K and {options['rate']} /s")
+    fine, coarse = (np.interp(test.strain, *np.array(adiabatic(test, n))[[0, 2]])
+                    for n in (20000, 10000))
+    found: Figures = {}
+    for n, strain in enumerate(test.strain):
+        name = f"rise at {strain:g}"
+        found[name] = Figure(float(fine[n]), abs(float(fine[n] / coarse[n] - 1)),
+                             "Johnson and Cook's law alone, in one adiabatic point")
+        found[f"{name}, measured"] = Figure(test.measured[n], math.nan, "measured, table 4.1 of "
+                                            "Terreros 2013, which tells no error")
+    return found
+
+
+KINDS: dict[str, Callable[[dict[str, Any], Path], Figures]] = {
+    "bar": _bar, "given": _given, "adiabatic_flow": _adiabatic_flow}
+
+
+def figures(options: dict[str, Any], folder: Path) -> Figures:
+    """What [known.NAME] of a study asks for, worked out once and kept in a file; CodeFailure."""
+    name = hashlib.sha256(json.dumps(options, sort_keys=True).encode()).hexdigest()[:16]
+    kept = folder / f"{name}.json"
+    if kept.exists():
+        return {name: Figure(**row) for name, row in json.loads(kept.read_text()).items()}
+    kind = options.get("kind")
+    if kind not in KINDS:
+        raise CodeFailure(f"kind = {kind!r} of what is known; there are {', '.join(KINDS)}")
+    try:
+        found = KINDS[kind](options, folder / "work")
+    except KeyError as error:
+        raise CodeFailure(f"[known], kind {kind!r}: {error} is missing") from error
+    folder.mkdir(parents=True, exist_ok=True)
+    kept.write_text(json.dumps({name: asdict(figure) for name, figure in found.items()}))
+    return found

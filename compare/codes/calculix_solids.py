@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""CalculiX: elastic solids of a size, meshed by bricks of twenty nodes, as references for figures of
+bodies of elements: a bar held at one end, and a plate with a hole."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from compare.codes.base import run_program
+from compare.codes.calculix_hot_plate import PLACES, QuadraticMesh
+from compare.result import CodeFailure, Floats
+
+MATERIAL = """\
+*MATERIAL, NAME=METAL
+*ELASTIC
+{young_modulus:.12g}, {poisson_ratio:.12g}
+*DENSITY
+{density:.12g}
+*SOLID SECTION, ELSET=PLATE, MATERIAL=METAL
+"""
+
+
+@dataclass(frozen=True)
+class Solid:
+    """An elastic box with a corner in the origin."""
+
+    size: tuple[float, float, float]  #: m
+    young_modulus: float  #: Pa
+    poisson_ratio: float
+    density: float = 1.0  #: kg/m³
+
+
+def _run(text: str, directory: Path, timeout: float, program: str = "ccx") -> str:
+    """The .dat file of a job; CodeFailure."""
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "job.inp").write_text(text)
+    run_program([program, "-i", "job"], directory, timeout, {"OMP_NUM_THREADS": "1"})
+    try:
+        return (directory / "job.dat").read_text()
+    except OSError as error:
+        raise CodeFailure(f"calculix wrote no job.dat: {error}") from error
+
+
+def _node_set(name: str, numbers: Any) -> str:
+    return f"*NSET, NSET={name}\n" + "".join(f"{n},\n" for n in np.ravel(numbers))
+
+
+def _ends(mesh: QuadraticMesh) -> str:
+    """Sets LOW and HIGH: nodes of the faces across x."""
+    places = np.unique((2 * mesh.bricks()[:, None, :] + PLACES).reshape(-1, 3), axis=0)
+    return "".join(_node_set(name, mesh.node(places[places[:, 0] == x]))
+                   for name, x in (("LOW", 0), ("HIGH", 2 * mesh.cells[0])))
+
+
+def _mesh(solid: Solid, cells: tuple[int, int, int]) -> QuadraticMesh:
+    return QuadraticMesh(cells, np.array(solid.size) / cells)
+
+
+#: What the far end does under each load: axis of the displacement, and what is imposed.
+LOADS = {"tension": (1, "HIGH, 1, 1, {u:.12g}\nHIGH, 2, 3\n"), "bending": (3, "HIGH, 3, 3, {u:.12g}\n")}
+
+
+def bar_stiffness(solid: Solid, load: str, cells: tuple[int, int, int], directory: Path,
+                  timeout: float = 600) -> float:
+    """Force over displacement, N/m, of the far end of a bar whose other end is held.
+
+    Under "tension" the far end is held as well and drawn along x; under "bending" all of it goes
+    along z by the same amount, free along x and y.
+    """
+    mesh, moved = _mesh(solid, cells), 1e-4 * min(solid.size)
+    axis, imposed = LOADS[load]
+    text = (mesh.lines() + _ends(mesh) + MATERIAL.format(**vars(solid))
+            + "*STEP\n*STATIC\n*BOUNDARY\nLOW, 1, 3\n" + imposed.format(u=moved)
+            + "*NODE PRINT, NSET=HIGH, TOTALS=ONLY\nRF\n*END STEP\n")
+    found = re.search(r"total force.*\n\s*\n((?:\s+\S+){3})", _run(text, directory, timeout))
+    if not found:
+        raise CodeFailure("calculix wrote no total force")
+    return float(found.group(1).split()[axis - 1]) / moved
+
+
+def bar_frequencies(solid: Solid, count: int, cells: tuple[int, int, int], directory: Path,
+                    timeout: float = 600) -> Floats:
+    """The first frequencies, Hz, at which a bar of square section, held at one end, is bent; each is
+    there twice, along y and z, and counted once."""
+    mesh = _mesh(solid, cells)
+    text = (mesh.lines() + _ends(mesh) + MATERIAL.format(**vars(solid))
+            + f"*BOUNDARY\nLOW, 1, 3\n*STEP\n*FREQUENCY\n{4 * count}\n*END STEP\n")
+    said = _run(text, directory, timeout)
+    try:
+        values, shares = (_numbers(said, head) for head in (
+            "E I G E N V A L U E   O U T P U T", "E F F E C T I V E   M O D A L   M A S S"))
+    except (IndexError, ValueError) as error:
+        raise CodeFailure(f"calculix wrote no usable frequencies: {error!r}") from error
+    if len(values) != len(shares):
+        raise CodeFailure(f"calculix wrote {len(values)} frequencies and {len(shares)} masses")
+    # Bending moves mass sideways; twisting moves none, stretching along the bar.
+    whole = solid.density * float(np.prod(solid.size))
+    aside = shares[:, 2] + shares[:, 3]
+    bent = (aside > 1e-3 * whole) & (aside > shares[:, 1])
+    pairs = values[bent, 3]
+    if len(pairs) < 2 * count:
+        raise CodeFailure(f"{len(pairs)} of {2 * count} frequencies of bending found")
+    mean: Floats = pairs[:2 * count].reshape(count, 2).mean(axis=1)
+    return mean
+
+
+def _numbers(text: str, head: str) -> Floats:
+    """Rows of numbers of a table of a .dat file."""
+    rows: list[list[float]] = []
+    for line in text.split(head)[1].splitlines()[1:]:
+        words = line.split()
+        try:
+            row = [float(word) for word in words]
+        except ValueError:
+            if rows:
+                break
+            continue
+        if row:
+            rows.append(row)
+    return np.array(rows)
