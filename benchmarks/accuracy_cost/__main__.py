@@ -3,14 +3,15 @@
 
     /usr/bin/python3 -m benchmarks.accuracy_cost [study ...] [--output results/accuracy_cost]
 
-Writes runs.csv, points.csv, omissions.csv, a picture for each study, page.md and index.html. Runs
-one at a time on one core: measure on a machine that does nothing else.
+Writes runs.csv, points.csv, references.csv, omissions.csv, a picture for each study, page.md and index.html.
+Runs one at a time on one core: measure on a machine that does nothing else.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import math
 import os
 import subprocess
 import sys
@@ -20,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.accuracy_cost.known import Figures
 from benchmarks.accuracy_cost.page import write_page
 from benchmarks.accuracy_cost.results import Median, medians
 from benchmarks.accuracy_cost.runs import Bench, Omission, Run
@@ -69,6 +71,15 @@ def write_tables(folder: Path, runs: list[Run], points: list[Median],
     _write(folder / "points.csv", [_point_row(m) for m in points])
     _write(folder / "omissions.csv", [{"study": o.study, **o.labels, "repetition": o.repetition,
                                        "reason": o.reason} for o in omissions])
+
+
+def write_references(path: Path, known: dict[str, dict[str, Figures]]) -> None:
+    """What readings are held against that no run gave: value, its own error, where it comes from."""
+    _write(path, [{"study": study, "reference": name, "value": of, "in_si_units": f"{figure.value:.8g}",
+                   "own_error": "" if math.isnan(figure.error) else f"{figure.error:.3g}",
+                   "source": figure.source}
+                  for study, references in known.items() for name, figures in references.items()
+                  for of, figure in figures.items()])
 
 
 def _first_line(command: list[str]) -> str:
@@ -135,8 +146,10 @@ def main() -> int:
     repetitions = 1 if options.quick else options.repetitions
     runs, omissions = bench.all(studies, options.quick, repetitions)
     points = medians(runs)
+    known = bench.all_known(studies)
     write_tables(output, runs, points, omissions)
-    write_page(output, studies, points, omissions, machine(bench, runs, load))
+    write_references(output / "references.csv", known)
+    write_page(output, studies, points, omissions, machine(bench, runs, load), known)
     print(f"{len(runs)} runs, {len(omissions)} gave nothing; {output / 'page.md'}")
     return 2 if not runs else 1 if omissions else 0
 

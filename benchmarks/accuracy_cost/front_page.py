@@ -19,7 +19,8 @@ from typing import Any
 
 from benchmarks.accuracy_cost.front_plot import draw_kind
 from benchmarks.accuracy_cost.orders import Order, order_of, points_of, table, write_table
-from benchmarks.accuracy_cost.page import percent, seconds
+from benchmarks.accuracy_cost.known import Figure
+from benchmarks.accuracy_cost.page import percent, reference_of, seconds
 from benchmarks.accuracy_cost.results import Gain, Median, cheapest, front, gains
 from benchmarks.accuracy_cost.study import Study, read_study
 
@@ -31,14 +32,12 @@ LEVELS = (0.05, 0.01, 0.001)
 MEASURED = {"study", "reading", "runs", "error", "least_error", "most_error", "seconds",
             "least_seconds", "most_seconds", "set_up_seconds", "packing_seconds", "on_front",
             "on_whole_front"}
-FINER_BODY = ("against one finer body, which errs itself: these are differences, smaller than errors "
-              "from what ever finer bodies tend to")
 KINDS = {
     "heat": ("Heat", "against exact solutions"),
-    "elastic": ("Elastic bodies", FINER_BODY),
-    "plastic": ("Plastic flow and rupture", FINER_BODY),
+    "elastic": ("Elastic bodies", "as each study says"),
+    "plastic": ("Plastic flow and rupture", "as each study says"),
     "contact": ("Contact", "as each study says"),
-    "coupled": ("Heat and motion", FINER_BODY),
+    "coupled": ("Heat and motion", "as each study says"),
     "central forces": ("Central forces", "of the time step and of the speed of pulling: the same body "
                        "pulled slowly, in fine steps"),
 }
@@ -70,6 +69,21 @@ def measured() -> dict[str, list[tuple[Study, list[Median]]]]:
     return {kind: studies for kind, studies in found.items() if studies}
 
 
+def reference(study: Study) -> str:
+    """What the first reading is held against, and how far that may be off; empty where the study's own
+    words say all."""
+    reading = study.readings[0]
+    if reading.reference in study.known:
+        rows = [row for path in sorted(DOCS.rglob("references.csv")) for row in csv_rows(path)
+                if row["study"] == study.name and row["reference"] == reading.reference]
+        figures = {row["value"]: Figure(float(row["in_si_units"]), float(row["own_error"] or "nan"),
+                                        row["source"]) for row in rows}
+        return f" Reference: {reference_of(study, reading, {reading.reference: figures})}."
+    if reading.reference and not study.references[reading.reference].own_specimen:
+        return f" Reference: {reference_of(study, reading, {})}."
+    return ""
+
+
 def own(points: list[Median]) -> list[Median]:
     """Those of the standalone program."""
     return [m for m in points if m.labels.get("code", "standalone") == "standalone"]
@@ -79,7 +93,8 @@ def way(study: Study, m: Median) -> str:
     """How a point is computed."""
     rule = {"code": "standalone", "instructions": "best", "precision": "double"}
     words = [f"{value} element{'' if value == '1' else 's'}" if key == "elements" else value for key, value in m.labels.items()
-             if key in study.axes and rule.get(key) != value]
+             if key in study.axes and rule.get(key) != value
+             and not (key == "speed" and m.labels.get("solver"))]
     return ", ".join(words)
 
 
@@ -259,6 +274,9 @@ def orders(kinds: dict[str, list[tuple[Study, list[Median]]]]) -> dict[str, list
         if kind == "central forces":
             continue  # its errors are those of steps and speeds, not of fineness
         for study, points in studies:
+            if not study.orders:
+                continue  # nor are those of a law, or of the scatter of packings
+            points = [m for m in points if not m.labels.get("solver")]  # advice is about runs
             compared = study.references.get(study.readings[0].reference)
             finer = compared.labels.get("elements") if compared else None
             reference = float(finer) if finer else math.inf
@@ -290,7 +308,8 @@ def text_of(kinds: dict[str, list[tuple[Study, list[Median]]]], rows: list[dict[
     for kind, studies in kinds.items():
         title, against = KINDS[kind]
         picture = f"front_{kind.replace(' ', '_')}.png"
-        about = " ".join(f"*{study.title}*: {study.about} Error: {study.error}." for study, _ in studies)
+        about = " ".join(f"*{study.title}*: {study.about} Error: {study.error}.{reference(study)}"
+                         for study, _ in studies)
         lines += [f"## {title}", "", f"Errors {against}. {about}", "",
                   f"![error over time, {kind}](accuracy_cost/{picture})", "", *costs(studies), "",
                   "Knobs:", "", *knobs(studies), "", "Where effort stops:", "", *limits(studies), ""]

@@ -14,7 +14,8 @@ from typing import Any, Callable, Sequence
 import numpy as np
 
 from benchmarks.adiabatic_flow.law import TESTS, adiabatic
-from compare.codes.calculix_solids import Solid, bar_frequencies, bar_stiffness
+from compare.codes.calculix_solids import (HolePlate, Solid, bar_frequencies, bar_stiffness,
+                                           hole_stress)
 from compare.references import RectangularBeam
 from compare.result import CodeFailure
 
@@ -79,6 +80,21 @@ def _bar(options: dict[str, Any], folder: Path) -> Figures:
     return found
 
 
+def _hole(options: dict[str, Any], folder: Path) -> Figures:
+    """Of a plate with a hole in its middle, pulled along its length: mean stress along x over `patch` =
+    [along x from the middle, along y from the hole] (m), over that of a section without a hole. `plate`: of
+    HolePlate; `cells` of the coarsest mesh."""
+    plate = HolePlate(**options["plate"])
+    meshes, words = _meshes(options["cells"])
+    along, across = options["patch"]
+    edge = plate.hole_radius
+    fields = [hole_stress(plate, mesh, folder) for mesh in meshes]
+    return {"concentration": extrapolated(
+                [f.mean((0, edge), (along, edge + across)) for f in fields], words),
+            "largest": Figure(float(fields[-1].stress.max()), 0.02,
+                              "CalculiX, at the innermost point of the finest mesh")}
+
+
 def _given(options: dict[str, Any], folder: Path) -> Figures:
     """What the table says: `source`, `values` (name -> number), `errors` (of some of them)."""
     errors = options.get("errors", {})
@@ -105,7 +121,7 @@ def _adiabatic_flow(options: dict[str, Any], folder: Path) -> Figures:
 
 
 KINDS: dict[str, Callable[[dict[str, Any], Path], Figures]] = {
-    "bar": _bar, "given": _given, "adiabatic_flow": _adiabatic_flow}
+    "bar": _bar, "hole": _hole, "given": _given, "adiabatic_flow": _adiabatic_flow}
 
 
 def figures(options: dict[str, Any], folder: Path) -> Figures:

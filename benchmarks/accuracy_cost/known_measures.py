@@ -88,3 +88,25 @@ def rise_against(view: View) -> Measured:
     when = float(np.interp(view.option("strain"), strain, history["time"]))
     rise = float(np.interp(when, [frame.time for frame in result.frames], means)) - means[0]
     return Measured(abs(rise / _right(view) - 1), f"{rise:.5g} K")
+
+
+@measure
+def concentration_against(view: View) -> Measured:
+    """Of the mean stress along x beside a hole over that of a section without one: elements count by
+    volume, the section bears the force of a grip.
+
+    Options: `grip`, `section` (m²), `middle` (x, y of the hole, m), `radius` (of the hole, m), `patch`
+    (along x from the middle, along y from the hole, m).
+    """
+    frame, options = view.tested.frames[-1].columns, view.option
+    if "stress" not in frame:
+        raise CodeFailure(f"{view.tested.code} wrote no stress")
+    x, y = np.abs(view.job.specimen.position[:, :2] - options("middle")).T
+    along, across = options("patch")
+    near = (x < along) & (y > options("radius")) & (y < options("radius") + across)
+    if near.sum() < 3:
+        raise CodeFailure(f"{near.sum()} elements lie beside the hole; 3 are needed")
+    mean = float(np.average(frame["stress"][near, 0], weights=view.job.specimen.radius[near]**3))
+    force = float(view.tested.history[f"grip.{options('grip')}.force_x"][-1])
+    found = mean / (abs(force) / options("section"))
+    return Measured(abs(found / _right(view) - 1), f"{found:.5g}, {near.sum()} elements")

@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import Sequence
 
 from benchmarks.accuracy_cost.document import Document
+from benchmarks.accuracy_cost.known import Figure, Figures
 from benchmarks.accuracy_cost.plot import LEVELS, draw
 from benchmarks.accuracy_cost.results import SAME, Gain, Median, cheapest, gains
 from benchmarks.accuracy_cost.runs import Omission
-from benchmarks.accuracy_cost.study import Study
+from benchmarks.accuracy_cost.study import Reading, Study
 
 
 def percent(error: float) -> str:
@@ -29,7 +30,8 @@ def seconds(time: float | None) -> str:
 def _way(study: Study, m: Median, but: str = "") -> str:
     """How a point is computed, all `but` one axis; what is the rule goes without saying."""
     rule = {"code": "standalone", "instructions": "best", "precision": "double"}
-    shown = [axis for axis in study.axes if axis != but and m.labels.get(axis) != rule.get(axis)]
+    shown = [axis for axis in study.axes if axis != but and m.labels.get(axis) != rule.get(axis)
+             and not (axis == "speed" and m.labels.get("solver"))]  # a body at rest knows no speed
     words = [f"{m.labels[k]} elements" if k == "elements" else m.labels[k]
              for k in shown if k in m.labels]
     return ", ".join(words)
@@ -58,7 +60,7 @@ def _levels(document: Document, study: Study, points: Sequence[Median]) -> None:
             rows.append([percent(level), "steps alone", *_costs(study, by_steps)])
             rows.append([percent(level), "set-up and steps", *_costs(study, by_whole)])
     document.table(["error at most", "least time of", "way", "error", "steps", "set-up",
-                    "packing, once"], rows)
+                    "packing and calibration, once"], rows)
     laws = [v.labels["law"] for v in study.axes["law"]]
     table = []
     for law in laws:
@@ -187,10 +189,10 @@ def _left_out(document: Document, study: Study, omissions: list[Omission]) -> No
         where = "; ".join(f"{key} {' | '.join(values)}" for key, values in rule.where.items())
         unless = "; ".join(f"{k} {' | '.join(v)}" for k, v in rule.unless.items())
         items.append(f"{where}{f' (but not {unless})' if unless else ''} "
-                     f"({count} combinations): {rule.why}.")
+                     f"({count} combinations): {rule.why.rstrip('.')}.")
     items += list(study.not_covered)
     items += [f"Run fewer times ({rule.repetitions}): "
-              f"{'; '.join(f'{k} ' + ' | '.join(v) for k, v in rule.where.items())}: {rule.why}."
+              f"{'; '.join(f'{k} ' + ' | '.join(v) for k, v in rule.where.items())}: {rule.why.rstrip('.')}."
               for rule in study.rules if rule.repetitions]
     document.items(items)
     document.paragraph("Runs that failed or were refused:" if omissions
@@ -202,21 +204,53 @@ def _left_out(document: Document, study: Study, omissions: list[Omission]) -> No
                         for (name, reason), number in counted.items()])
 
 
-def write_page(folder: Path, studies: list[Study], points: list[Median],
-               omissions: list[Omission], machine: list[str]) -> None:
+def own_error(figure: Figure) -> str:
+    """In words."""
+    if math.isnan(figure.error):
+        return "its own error is not told"
+    return f"own error {percent(figure.error)}" if figure.error else "exact, as it is what was asked for"
+
+
+def reference_of(study: Study, reading: Reading, known: dict[str, Figures]) -> str:
+    """What a reading is held against, and how far that may be off."""
+    if reading.reference in study.known:
+        figures = known.get(reading.reference, {})
+        names = dict.fromkeys(str(options["value"]) for options in reading.options.values())
+        found = [f"{name} {figures[name].value:.5g} ({own_error(figures[name])}; "
+                 f"{figures[name].source})" for name in names if name in figures]
+        return "; ".join(found) + ", in SI units" if found else "not found out"
+    if not reading.reference:
+        return "exact"
+    reference = study.references[reading.reference]
+    words = ", ".join(f"{value} elements" if key == "elements" else value
+                      for key, value in reference.labels.items() if value != "standalone")
+    if reference.own_specimen:
+        return f"the same packing ({words}): what its elements err by is in both"
+    return f"a run of one finer body ({words}), which errs itself: a difference, no error"
+
+
+def _references(document: Document, study: Study, known: dict[str, Figures]) -> None:
+    document.items([f"“{reading.name}” is held against: {reference_of(study, reading, known)}."
+                    for reading in study.readings])
+
+
+def write_page(folder: Path, studies: list[Study], points: list[Median], omissions: list[Omission],
+               machine: list[str], known: dict[str, dict[str, Figures]] | None = None) -> None:
     """Writes page.md, index.html and a picture for each study into a folder."""
     document = Document("What accuracy costs in time")
     document.paragraph(
         "Each point is the median of real runs, one at a time on one core, in shuffled order; a "
         "repetition has a specimen of its own. Time is the wall time of the steps, as each run's "
         "summary tells it, without looking at results and writing them. Apart stand the set-up "
-        "(reading, bonds or tessellation, calibration, stable step) and the packing of the "
-        "specimen, which is made once and shared by all runs. runs.csv has every run, points.csv the medians.")
+        "(reading, bonds or tessellation, stable step), and the packing of the specimen with the "
+        "calibration of its bonds, if the solid is given: both are made once and shared by all runs. "
+        "runs.csv has every run, points.csv the medians, references.csv what no run gave.")
     document.items(machine)
     for study in studies:
         own = [m for m in points if m.study == study.name]
         document.heading(2, study.title)
         document.paragraph(f"{study.about} Error: {study.error}.")
+        _references(document, study, (known or {}).get(study.name, {}))
         main = [m for m in own if m.reading == study.readings[0].name]
         if main:
             _reading(document, study, main, folder / f"{study.name}.png")

@@ -23,7 +23,7 @@ from benchmarks.accuracy_cost.study import Point, Study
 from compare.codes.base import Code, Job
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure, Result
-from compare.runs import replace_words, table_text
+from compare.runs import replace_words
 from contrib.explained import parse_parameters
 from contrib.prepared import PreparedError, read_specimen
 
@@ -66,6 +66,18 @@ class Omission:
     reason: str
 
 
+#: The table of the specimen with what belongs to it, such as [[specimen.cut]].
+SPECIMEN = re.compile(r"^\[specimen\].*?(?=^\[\[?(?!specimen\b)[A-Za-z_]|\Z)", re.MULTILINE | re.DOTALL)
+
+
+def specimen_text(scene: str) -> str:
+    """The recipe of a scene's specimen, as the scene writes it; CodeFailure when there is none."""
+    found = SPECIMEN.search(scene)
+    if not found:
+        raise CodeFailure("the scene has no [specimen]")
+    return found.group()
+
+
 def digest(*words: str) -> str:
     """A short name for words."""
     return hashlib.sha256("\0".join(words).encode()).hexdigest()[:16]
@@ -95,7 +107,7 @@ class Specimens:
         path, told = self.folder / f"{name}.h5", self.folder / f"{name}.json"
         if not told.exists():
             text = self.folder / f"{name}.scene"
-            text.write_text(table_text(scene, "specimen"))
+            text.write_text(specimen_text(scene))
             start = time.perf_counter()
             try:
                 self._standalone.call(["specimen", text, "--output", path, "--overwrite"],
@@ -170,6 +182,16 @@ class Bench:
         """What a study knows without a run."""
         return {name: figures(options, self._known) for name, options in study.known.items()}
 
+    def all_known(self, studies: list[Study]) -> dict[str, dict[str, Figures]]:
+        """By study; those that could not be found out are missing, as their runs say."""
+        found = {}
+        for study in studies:
+            try:
+                found[study.name] = self.known(study)
+            except CodeFailure:
+                continue
+        return found
+
     def _run(self, study: Study, point: Point, repetition: int, order: int) -> Run:
         """One run, or what is kept of it."""
         text = scene_of(study, point, repetition)
@@ -221,7 +243,7 @@ class Bench:
 
     def _write_scene(self, text: str, specimen: Path, timeout: float) -> Path:
         """The scene as codes get it: its specimen a file, its time step a number."""
-        text = text.replace(table_text(text, "specimen"), f'[specimen]\nfile = "{specimen}"\n\n')
+        text = text.replace(specimen_text(text), f'[specimen]\nfile = "{specimen}"\n\n')
         scene = self._work / "scene.toml"
         if fraction := STEP_OF_LIMIT.search(text):
             probe = STEP_OF_LIMIT.sub("time_step_ratio = 0.1", text)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 
@@ -107,6 +107,81 @@ def bar_frequencies(solid: Solid, count: int, cells: tuple[int, int, int], direc
         raise CodeFailure(f"{len(pairs)} of {2 * count} frequencies of bending found")
     mean: Floats = pairs[:2 * count].reshape(count, 2).mean(axis=1)
     return mean
+
+
+@dataclass(frozen=True)
+class HolePlate:
+    """A plate with a round hole in its middle, the origin, pulled along x by ends that are held."""
+
+    length: float  #: m, along x
+    width: float  #: m, along y
+    thickness: float  #: m
+    hole_radius: float  #: m
+    young_modulus: float  #: Pa
+    poisson_ratio: float
+
+    def place(self, out: Floats, around: Floats, up: Floats) -> Floats:
+        """(..., 3) points, m, of an eighth of the plate: `out` 0 at the hole, 1 at the outer sides, denser at
+        the hole; `around` 0 on the x axis, ½ at the corner, 1 on the y axis; `up` 0 to 1, half of the
+        thickness."""
+        x, y = self.length / 2, self.width / 2
+        side = np.stack([np.where(around < 0.5, x, 2 * x * (1 - around)),
+                         np.where(around < 0.5, 2 * y * around, y)], axis=-1)
+        angle = around * np.pi / 2
+        hole = self.hole_radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        part = (np.expm1(2 * out) / np.expm1(2.0))[..., None]
+        flat = (1 - part) * hole + part * side
+        return np.concatenate([flat, (up * self.thickness / 2)[..., None]], axis=-1)
+
+
+@dataclass(frozen=True)
+class StressField:
+    """Stress along x of an eighth of a plate, over the mean of a section without a hole."""
+
+    position: Floats  #: (P, 2) m, of points in the plane
+    stress: Floats  #: (P,) means through the thickness
+
+    def mean(self, lower: Sequence[float], upper: Sequence[float]) -> float:
+        """Mean over a rectangle in the plane, m; read at the nearest points."""
+        x, y = (np.linspace(a, b, 81)[:-1] + (b - a) / 160 for a, b in zip(lower, upper))
+        at = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 1, 2)
+        nearest = ((at - self.position) ** 2).sum(axis=2).argmin(axis=1)
+        return float(self.stress[nearest].mean())
+
+
+def hole_stress(plate: HolePlate, cells: tuple[int, int, int], directory: Path,
+                timeout: float = 600) -> StressField:
+    """Of a mesh of `cells` bricks outwards, around (an even number) and through half of the thickness."""
+    mesh = QuadraticMesh(cells, np.ones(3))
+    places = 2 * mesh.bricks()[:, None, :] + PLACES
+    numbers, first = np.unique(mesh.node(places), return_index=True)
+    spot = places.reshape(-1, 3)[first]
+    where = plate.place(*(spot / (2 * np.array(cells))).T)
+    lines = mesh.lines()
+    text = ("*NODE, NSET=ALL\n" + "".join(f"{n}, {x:.12g}, {y:.12g}, {z:.12g}\n"
+                                         for n, (x, y, z) in zip(numbers, where))
+            + lines[lines.index("*ELEMENT"):])
+    far = np.abs(where[:, 0] - plate.length / 2) < 1e-9 * plate.length
+    moved = 1e-4 * plate.length
+    # Planes of symmetry.
+    sets = {"ACROSS": (spot[:, 1] == 2 * cells[1], 1), "ALONG": (spot[:, 1] == 0, 2),
+            "MIDDLE": (spot[:, 2] == 0, 3), "FAR": (far, 3)}
+    text += "".join(_node_set(name, numbers[inside]) for name, (inside, _) in sets.items())
+    text += MATERIAL.format(density=1.0, **vars(plate)) + "*STEP\n*STATIC\n*BOUNDARY\n"
+    text += "".join(f"{name}, {axis}, {axis}\n" for name, (_, axis) in sets.items())
+    text += f"FAR, 2, 2\nFAR, 1, 1, {moved:.12g}\n"
+    said = _run(text + "*EL PRINT, ELSET=PLATE\nS, COORD\n*NODE PRINT, NSET=FAR, TOTALS=ONLY\nRF\n"
+                "*END STEP\n", directory, timeout)
+    try:
+        stress, spots = _numbers(said, "stresses ("), _numbers(said, "global coordinates (")
+        force = _numbers(said, "total force")[0][0]
+        points = np.round(spots[:, 2:4] / plate.hole_radius, 7)
+        once, index = np.unique(points, axis=0, return_inverse=True)
+        mean = np.bincount(index, stress[:, 2]) / np.bincount(index)
+    except (IndexError, ValueError) as error:
+        raise CodeFailure(f"calculix wrote no usable stresses: {error!r}") from error
+    section = plate.width * plate.thickness / 4
+    return StressField(once * plate.hole_radius, mean / (force / section))
 
 
 def _numbers(text: str, head: str) -> Floats:
