@@ -15,9 +15,9 @@ import numpy as np
 
 from benchmarks.adiabatic_flow.law import TESTS, adiabatic
 from compare.codes.calculix_solids import (HolePlate, Solid, bar_frequencies, bar_stiffness,
-                                           hole_stress)
+                                           hole_stress, ringing_bar)
 from compare.references import RectangularBeam
-from compare.result import CodeFailure
+from compare.result import CodeFailure, Floats
 
 
 @dataclass(frozen=True)
@@ -80,6 +80,38 @@ def _bar(options: dict[str, Any], folder: Path) -> Figures:
     return found
 
 
+def swing(time: Floats, moved: Floats) -> dict[str, float]:
+    """Of a displacement that starts at zero: the `largest` (m) of its first swing, and the time, s, at which
+    it is `back`."""
+    down = np.flatnonzero((moved[:-1] > 0) & (moved[1:] <= 0))
+    if not len(down):
+        raise CodeFailure("the displacement does not come back within the time of the run")
+    n = down[0]
+    back = time[n] + (time[n + 1] - time[n]) * moved[n] / (moved[n] - moved[n + 1])
+    top = int(np.argmax(moved[:n + 1]))
+    # A parabola through the largest and its neighbours: their spacing does not matter.
+    a, b, c = np.polyfit(time[top - 1:top + 2] - time[top], moved[top - 1:top + 2], 2)
+    return {"largest": float(c - b * b / (4 * a)), "back": float(back)}
+
+
+def _ringing_bar(options: dict[str, Any], folder: Path) -> Figures:
+    """Of a free bar, `size` (m), that starts in steady stretching at `rate` (1/s): how its end swings within
+    `duration` (s). `cells` and `steps` of the coarsest mesh, of an eighth of the bar."""
+    x, y, z = (length / 2 for length in options["size"])
+    solid = Solid((x, y, z), options["young_modulus"], options["poisson_ratio"], options["density"])
+    meshes, words = _meshes(options["cells"])
+    swings = [swing(*ringing_bar(solid, options["rate"], options["duration"], mesh,
+                                 options["steps"] * 2**n, folder)) for n, mesh in enumerate(meshes)]
+    found = {name: extrapolated([each[name] for each in swings],
+                                f"{words}, of an eighth of the bar, each with half the step")
+             for name in swings[0]}
+    speed = math.sqrt(solid.young_modulus / solid.density)
+    for name, simple in (("largest", options["rate"] * x**2 / (2 * speed)), ("back", 2 * x / speed)):
+        found[f"{name}, rod theory"] = Figure(simple, abs(simple / found[name].value - 1),
+                                              "waves at √(E/ρ) in a slender rod")
+    return found
+
+
 def _hole(options: dict[str, Any], folder: Path) -> Figures:
     """Of a plate with a hole in its middle, pulled along its length: mean stress along x over `patch` =
     [along x from the middle, along y from the hole] (m), over that of a section without a hole. `plate`: of
@@ -121,7 +153,7 @@ def _adiabatic_flow(options: dict[str, Any], folder: Path) -> Figures:
 
 
 KINDS: dict[str, Callable[[dict[str, Any], Path], Figures]] = {
-    "bar": _bar, "hole": _hole, "given": _given, "adiabatic_flow": _adiabatic_flow}
+    "bar": _bar, "ringing_bar": _ringing_bar, "hole": _hole, "given": _given, "adiabatic_flow": _adiabatic_flow}
 
 
 def figures(options: dict[str, Any], folder: Path) -> Figures:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from benchmarks.accuracy_cost.known import swing
 from benchmarks.accuracy_cost.measures import OneRun, slope_of
 from compare.measures import measure
 from compare.result import CodeFailure, Floats
@@ -68,6 +69,16 @@ def frequency_against(view: View) -> Measured:
         found = peak_frequency(view.tested.history["time"], view.tested.history[name],
                                LOWEST * right, HIGHEST * right)
     return Measured(abs(found / right - 1), f"{found:.6g} Hz")
+
+
+@measure
+def swing_against(view: View) -> Measured:
+    """Of the first swing of `column`: option `of` is "largest" or "back"."""
+    name = view.option("column")
+    if name not in view.tested.history:
+        raise CodeFailure(f"{view.tested.code} has no column {name} in its history")
+    found = swing(view.tested.history["time"], view.tested.history[name])[view.option("of")]
+    return Measured(abs(found / _right(view) - 1), f"{found:.6g}")
 
 
 @measure

@@ -184,6 +184,35 @@ def hole_stress(plate: HolePlate, cells: tuple[int, int, int], directory: Path,
     return StressField(once * plate.hole_radius, mean / (force / section))
 
 
+def ringing_bar(solid: Solid, rate: float, duration: float, cells: tuple[int, int, int], steps: int,
+               directory: Path, timeout: float = 600) -> tuple[Floats, Floats]:
+    """Times, s, and displacements, m, of the middle of an end of a free bar that starts in steady stretching
+    at a `rate`, 1/s, and narrows accordingly.
+
+    `solid`: an eighth of the bar, between three planes of symmetry. Implicit steps without damping.
+    """
+    mesh = _mesh(solid, cells)
+    places = np.unique((2 * mesh.bricks()[:, None, :] + PLACES).reshape(-1, 3), axis=0)
+    numbers = mesh.node(places)
+    step = duration / steps
+    text = mesh.lines() + "".join(
+        _node_set(name, numbers[places[:, axis] == 0]) for axis, name in enumerate(("NEAR", "SIDE", "FLOOR")))
+    text += _node_set("TIP", mesh.node((2 * cells[0], 0, 0))) + MATERIAL.format(**vars(solid))
+    pace = rate * np.array([1, -solid.poisson_ratio, -solid.poisson_ratio])
+    text += "*INITIAL CONDITIONS, TYPE=VELOCITY\n" + "".join(
+        f"{n}, {axis + 1}, {v:.12g}\n" for n, row in zip(numbers, pace * places * mesh.size / 2)
+        for axis, v in enumerate(row))
+    text += (f"*STEP, INC={steps + 1}\n*DYNAMIC, DIRECT, ALPHA=0\n{step:.12g}, {duration:.12g}\n"
+             "*BOUNDARY\nNEAR, 1, 1\nSIDE, 2, 2\nFLOOR, 3, 3\n"
+             "*NODE PRINT, NSET=TIP\nU\n*END STEP\n")
+    said = _run(text, directory, timeout)
+    found = re.findall(r"displacements \(vx,vy,vz\) for set TIP and time +(\S+)\s+\d+ +(\S+)", said)
+    if len(found) != steps:
+        raise CodeFailure(f"calculix wrote {len(found)} of {steps} increments")
+    rows = np.array([(0.0, 0.0), *found], dtype=float)
+    return rows[:, 0], rows[:, 1]
+
+
 def _numbers(text: str, head: str) -> Floats:
     """Rows of numbers of a table of a .dat file."""
     rows: list[list[float]] = []
