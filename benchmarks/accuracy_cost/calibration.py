@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bonds for the solid that a scene asks for in [calibration], each set found once, with the time that took."""
+"""Bonds for the solid that a scene asks for in [calibration], each set found once, and the time it took."""
 
 from __future__ import annotations
 

@@ -54,19 +54,19 @@ def _bar(options: dict[str, Any], folder: Path) -> Figures:
     """Of a bar: `size` (m, what is free between what is held and its end), `young_modulus`,
     `poisson_ratio`, `density`, `cells` of the coarsest mesh, and `load` ("tension", "bending") for its
     stiffness or `frequencies` (how many)."""
-    solid = Solid(tuple(options["size"]), options["young_modulus"], options["poisson_ratio"],
+    length, width, height = options["size"]
+    solid = Solid((length, width, height), options["young_modulus"], options["poisson_ratio"],
                   options.get("density", 1.0))
     meshes, words = _meshes(options["cells"])
-    beam = RectangularBeam(solid.size[0], solid.size[2], solid.size[1], solid.young_modulus,
-                           solid.poisson_ratio, solid.density)
+    beam = RectangularBeam(length, height, width, solid.young_modulus, solid.poisson_ratio,
+                           solid.density)
     names: list[str] = []
     rows: list[list[float]] = []
     theory: list[float] = []
     if load := options.get("load"):
         names, rows = ["stiffness"], [[bar_stiffness(solid, load, mesh, folder)] for mesh in meshes]
-        section = solid.size[1] * solid.size[2]
         theory = [beam.tip_stiffness if load == "bending"
-                  else solid.young_modulus * section / solid.size[0]]
+                  else solid.young_modulus * width * height / length]
     if count := options.get("frequencies"):
         names = [f"frequency {n + 1}" for n in range(count)]
         rows = [list(bar_frequencies(solid, count, mesh, folder)) for mesh in meshes]
@@ -153,7 +153,8 @@ def _adiabatic_flow(options: dict[str, Any], folder: Path) -> Figures:
 
 
 KINDS: dict[str, Callable[[dict[str, Any], Path], Figures]] = {
-    "bar": _bar, "ringing_bar": _ringing_bar, "hole": _hole, "given": _given, "adiabatic_flow": _adiabatic_flow}
+    "bar": _bar, "ringing_bar": _ringing_bar, "hole": _hole, "given": _given,
+    "adiabatic_flow": _adiabatic_flow}
 
 
 def figures(options: dict[str, Any], folder: Path) -> Figures:

@@ -82,8 +82,8 @@ class Statics:
         for quantity in ("stress", "strain", "lateral_strain"):
             if quantity in (gauge := summary.get("gauge") or {}):
                 history[f"gauge.{quantity}"] = np.array([gauge[quantity]])
-        if len(history["frequency"]):
-            history |= motion_of_sections(results / "modes.h5", job.specimen.radius)
+        if (vibrations := results / "modes.h5").exists():
+            history |= motion_of_sections(vibrations, job.specimen.radius)
         with h5py.File(results / "trajectory.h5") as file:
             group = next(iter(file["frames"].values()))
             frame = Frame(int(group.attrs["step"]), float(group.attrs["time"]),
