@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import statistics
 from collections import Counter
@@ -208,29 +209,40 @@ def own_error(figure: Figure) -> str:
     """In words."""
     if math.isnan(figure.error):
         return "its own error is not told"
-    return f"own error {percent(figure.error)}" if figure.error else "exact, as it is what was asked for"
+    return f"own error {percent(figure.error)}" if figure.error else "as given"
+
+
+def _known(study: Study, reading: Reading, figures: Figures) -> str:
+    """Values in SI units and their own errors; where they come from once for those that follow each other."""
+    names = [n for n in dict.fromkeys(str(options["value"]) for options in reading.options.values())
+             if n in figures]
+    words = []
+    for source, group in itertools.groupby(names, lambda name: figures[name].source):
+        found = ", ".join(f"{n} = {figures[n].value:.5g} ({own_error(figures[n])})" for n in group)
+        words.append(f"{found}: {source}")
+    return "; ".join(words) or "what could not be found out"
 
 
 def reference_of(study: Study, reading: Reading, known: dict[str, Figures]) -> str:
     """What a reading is held against, and how far that may be off."""
     if reading.reference in study.known:
-        figures = known.get(reading.reference, {})
-        names = dict.fromkeys(str(options["value"]) for options in reading.options.values())
-        found = [f"{name} {figures[name].value:.5g} ({own_error(figures[name])}; "
-                 f"{figures[name].source})" for name in names if name in figures]
-        return "; ".join(found) + ", in SI units" if found else "not found out"
+        return _known(study, reading, known.get(reading.reference, {}))
     if not reading.reference:
-        return "exact"
+        return "what is exact"
     reference = study.references[reading.reference]
+    solved = any(value.labels.get("solver") for axis, word in reference.labels.items()
+                 for value in study.axes.get(axis, []) if value.labels[axis] == word)
     words = ", ".join(f"{value} elements" if key == "elements" else value
-                      for key, value in reference.labels.items() if value != "standalone")
+                      for key, value in reference.labels.items()
+                      if value != "standalone" and not (solved and key == "speed"))
     if reference.own_specimen:
         return f"the same packing ({words}): what its elements err by is in both"
     return f"a run of one finer body ({words}), which errs itself: a difference, no error"
 
 
 def _references(document: Document, study: Study, known: dict[str, Figures]) -> None:
-    document.items([f"“{reading.name}” is held against: {reference_of(study, reading, known)}."
+    """What each reading is held against; values in SI units."""
+    document.items([f"“{reading.name}” is held against {reference_of(study, reading, known)}."
                     for reading in study.readings])
 
 
