@@ -53,17 +53,22 @@ def median_of(row: dict[str, str]) -> Median:
                   float(set_up) if set_up else None, float(row["packing_seconds"]))
 
 
-def measured() -> dict[str, list[tuple[Study, list[Median]]]]:
-    """Kind -> its studies, each with the points of its first reading."""
-    rows: dict[str, list[dict[str, str]]] = defaultdict(list)
+def points_in_docs() -> dict[tuple[str, str], list[Median]]:
+    """By study and reading."""
+    found: dict[tuple[str, str], list[Median]] = defaultdict(list)
     for path in sorted(DOCS.rglob("points.csv")):
         for row in points_of(path):
-            rows[row["study"]].append(row)
+            found[row["study"], row["reading"]].append(median_of(row))
+    return found
+
+
+def measured() -> dict[str, list[tuple[Study, list[Median]]]]:
+    """Kind -> its studies, each with the points of its first reading."""
+    rows = points_in_docs()
     found: dict[str, list[tuple[Study, list[Median]]]] = {kind: [] for kind in KINDS}
     for path in sorted(STUDIES.glob("*.toml")):
         study = read_study(path)
-        points = [median_of(row) for row in rows.get(study.name, [])
-                  if row["reading"] == study.readings[0].name]
+        points = rows.get((study.name, study.readings[0].name))
         if points and study.kind in found:
             found[study.kind].append((study, points))
     return {kind: studies for kind, studies in found.items() if studies}
@@ -270,14 +275,17 @@ def advice() -> list[str]:
 def orders(kinds: dict[str, list[tuple[Study, list[Median]]]]) -> dict[str, list[Order]]:
     """Of each kind; of heat for each law."""
     found: dict[str, list[Order]] = {}
+    everything = points_in_docs()
     for kind, studies in kinds.items():
         if kind == "central forces":
             continue  # its errors are those of steps and speeds, not of fineness
-        for study, points in studies:
+        for study, _ in studies:
             if not study.orders:
                 continue  # nor are those of a law, or of the scatter of packings
-            points = [m for m in points if not m.labels.get("solver")]  # advice is about runs
-            compared = study.references.get(study.readings[0].reference)
+            # Advice is about runs, not about bodies solved for at rest.
+            points = [m for m in everything[study.name, study.orders] if not m.labels.get("solver")]
+            reading = next(r for r in study.readings if r.name == study.orders)
+            compared = study.references.get(reading.reference)
             finer = compared.labels.get("elements") if compared else None
             reference = float(finer) if finer else math.inf
             laws = {m.labels["law"] for m in points} if kind == "heat" else {""}

@@ -18,7 +18,7 @@ MARKERS = "osD^vP"
 
 def draw_kind(studies: list[tuple[str, list[Median]]], title: str, path: Path) -> None:
     """Writes the picture; `studies`: title and points of each."""
-    figure, axes = plt.subplots(figsize=(8, 4.6), layout="constrained")
+    figure, axes = plt.subplots(figsize=(8, 4.2 + 0.17 * len(studies)), layout="constrained")
     for level in LEVELS:
         axes.axhline(level, color="#cccccc", linewidth=0.8, zorder=0)
     for number, (name, points) in enumerate(studies):
@@ -36,6 +36,6 @@ def draw_kind(studies: list[tuple[str, list[Median]]], title: str, path: Path) -
     axes.set(xscale="log", yscale="log", xlabel="set-up and steps, s", ylabel="error", title=title)
     axes.yaxis.set_major_formatter(lambda y, _: f"{100 * y:g} %")
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(fontsize=8, frameon=False, loc="lower center", bbox_to_anchor=(0.5, -0.35))
+    axes.legend(fontsize=8, frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13))
     figure.savefig(path, dpi=110, metadata={"Software": None})
     plt.close(figure)

@@ -115,7 +115,7 @@ class Study:
     markers: str = "integrator"  #: the label that the markers of the picture tell
     kind: str = ""  #: of scene, as `solidem advise` calls it
     known: dict[str, dict[str, Any]] = field(default_factory=dict)  #: values that no run gives
-    orders: bool = True  #: whether errors come of the size of elements, so that they fall at some order
+    orders: str = ""  #: the reading whose errors fall with the size of elements at some order; empty: none
 
     def runs_of(self) -> list[str]:
         """References of readings that are runs, in their order."""
@@ -247,6 +247,14 @@ def _readings(table: dict[str, Any], references: list[str],
     return readings
 
 
+def _orders(told: bool | str, readings: tuple[Reading, ...], where: str) -> str:
+    """A reading's name: of the first, if nothing else is said; empty where no errors fall at an order."""
+    name = told if isinstance(told, str) else readings[0].name if told else ""
+    if name and name not in {reading.name for reading in readings}:
+        raise StudyError(f"{where}: orders = {name!r}; known: {', '.join(r.name for r in readings)}")
+    return name
+
+
 def _template(table: dict[str, Any], path: Path) -> str:
     from compare.runs import replace_words  # the same replacing as in cases
     return replace_words((path.parent / table.pop("scene")).read_text(), table.pop("replace", {}))
@@ -274,7 +282,7 @@ def _study(table: dict[str, Any], path: Path) -> Study:
         _rules(table, labels, where), tuple(table.pop("not_covered", [])),
         _where(table.pop("quick", {}), labels, f"{where}: [quick]"),
         int(table.pop("repetitions")), float(table.pop("timeout")), table.pop("options", {}),
-        references, markers, kind, known, bool(table.pop("orders", True)))
+        references, markers, kind, known, _orders(table.pop("orders", True), readings, where))
     if table:
         raise StudyError(f"{where}: unknown key {next(iter(table))!r}")
     if not study.points():

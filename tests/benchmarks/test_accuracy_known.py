@@ -219,6 +219,7 @@ def study_file(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("old, new, message", [
     ('reference = "solid"', 'reference = "liquid"', "known: solid"),
+    ('markers = "step"', 'markers = "step"\norders = "colour"', "orders = 'colour'; known: modulus"),
     ("[known.solid]", "[reference.solid]\nlabels = { step = \"0.5\" }\n[known.solid]", "'solid' is a run")])
 def test_a_reading_is_held_against_what_is_there(study_file: Path, old: str, new: str,
                                                  message: str) -> None:
