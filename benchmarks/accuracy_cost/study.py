@@ -37,7 +37,7 @@ class Point:
     @property
     def code(self) -> str:
         """The code that runs it: the label `solver` or `code`, if an axis gives one."""
-        return self.labels.get("solver") or self.labels.get("code", "standalone")
+        return self.labels.get("solver", "") or self.labels.get("code", "standalone")
 
     @property
     def name(self) -> str:
