@@ -8,8 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .foretold import UNKNOWN_ORDERS
+
 if TYPE_CHECKING:
-    from .advise import Advice, Proposal
+    from .proposal import Advice, Proposal
+    from .series import Series
+    from .verdict import Verdict
 
 
 def per_cent(value: float) -> str:
@@ -48,8 +52,9 @@ def _limit(advice: Advice) -> list[str]:
     middle, low, high = model.limit
     order, least, most = model.order
     if advice.study is None:
-        source = (f"there is no study of {advice.kind} scenes: any order from 0.75 to 2.25 was held to be "
-                  "as likely, which widens what follows")
+        least_order, most_order = UNKNOWN_ORDERS
+        source = (f"there is no study of {advice.kind} scenes: any order from {least_order:g} to "
+                  f"{most_order:g} was held to be possible, which widens what follows")
     else:
         source = (f"from these runs and from {advice.study.studies}, where it is "
                   f"{advice.study.order:.2g} ± {advice.study.spread:.1g}")
@@ -97,6 +102,43 @@ def _half(advice: Advice, proposal: Proposal) -> list[str]:
             f"time × {grown:.2g}"]
 
 
+def _series(series: Series) -> list[str]:
+    rows = [["elements", "packings", "of them made", "time of one"]]
+    rows += [[f"{part.elements:.0f}", str(part.packings), str(part.made), seconds(part.cost.seconds)]
+             for part in series.asked()]
+    return [*_rows(rows),
+            f"  error       of their limit {per_cent(series.expected)} expected, below "
+            f"{per_cent(series.promised)} with a probability of 95 %",
+            f"  time        {seconds(series.seconds)} ({seconds(series.processor)} of the processor) "
+            "besides the small runs" if series.seconds else "  time        none: these are the small runs"]
+
+
+def _no_body(advice: Advice) -> list[str]:
+    """What there is in place of a body that keeps the error."""
+    least, series = advice.least, advice.series
+    assert least is not None
+    none = (f"No body of up to {least.elements} elements keeps {per_cent(advice.error)} with a "
+            "probability of 95 %")
+    if advice.proposed and series:
+        return [f"{none} (that one {per_cent(least.errors.promised)}). To err by no more than that, a "
+                "series, whose limit is taken (--run does so)", *_series(series)]
+    if series and series.promised < least.errors.promised:
+        return [f"{none} (that one {per_cent(least.errors.promised)}), nor does a series of what is "
+                "allowed (--longest, --largest); nearest comes", *_series(series)]
+    return [f"{none}; that one has", *_proposal(advice, least)]
+
+
+def verdict_of(advice: Advice, verdict: Verdict) -> str:
+    """For a person to read."""
+    told = f", {per_cent(verdict.from_limit)} from the limit" if verdict.from_limit else ""
+    if verdict.known is not None:
+        told = f"; known to ± {per_cent(verdict.known)}"
+    what = "of a finer run" if verdict.known is None else "with a finer level"
+    return (f"{'held' if verdict.held else 'NOT held'}: {advice.of} = {verdict.figure:.6g}, {what} "
+            f"{verdict.finer:.6g}: {per_cent(verdict.differs)} apart{told}; took "
+            f"{verdict.seconds:.3g} s, foretold {verdict.foretold:.3g}")
+
+
 def text_of(advice: Advice) -> str:
     """For a person to read."""
     magnitude = "change" if advice.of.endswith(".temperature") else "magnitude"
@@ -114,13 +156,13 @@ def text_of(advice: Advice) -> str:
         lines += [f"To err by no more than {per_cent(advice.error)}",
                   *_proposal(advice, advice.proposal), *_half(advice, advice.proposal)]
     else:
-        assert advice.least is not None
-        lines += [f"No body of up to {advice.least.elements} elements keeps {per_cent(advice.error)} "
-                  "with a probability of 95 %; that one has", *_proposal(advice, advice.least)]
+        lines += _no_body(advice)
     if advice.cheaper:
         total = advice.cheaper.packings * advice.cheaper.cost.seconds
         lines.append(f"  less time: --packings {advice.cheaper.packings}, the mean of so many bodies of "
                      f"{advice.cheaper.elements} elements takes {seconds(total)}")
+    if advice.proposal and advice.series:
+        lines += ["  less time: a series, whose limit is taken", *_series(advice.series)]
     if advice.model is not None:
         middle, low, high = advice.model.limit
         lines.append(f"  at no further cost: the limit of the small runs themselves, known to "
@@ -144,4 +186,5 @@ def json_of(advice: Advice) -> dict[str, Any]:
         "proposal": asdict(advice.proposal) if advice.proposal else None,
         "cheaper": asdict(advice.cheaper) if advice.cheaper else None,
         "least": asdict(advice.least) if advice.least else None,
+        "series": asdict(advice.series) if advice.series else None,
     }

@@ -12,65 +12,34 @@ import argparse
 import json
 import os
 import sys
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Sequence
 
 import numpy as np
 
 from ._core import InputError, RunError
-from .advice_text import json_of, text_of
+from .advice_text import json_of, text_of, verdict_of
 from .choices import Choices, Chooser
 from .converge import Level
 from .foretold import Cost, ErrorModel, Errors, exponent_of
 from .pilots import Pilot, Pilots, mean_cost
+from .proposal import Advice, Proposal, write_scene
 from .refinement import Refinement, refinement_of
 from .scene import Scene
-from .scene_edit import edited
-from .scene_text import toml_text
+from .series import Part, Series, parts_of, rarer_heat, series_for
 from .studies import Study, kind_of, study_of
+from .verdict import check
 
 COARSEST = 300.0  #: elements of the coarsest body, all bodies together
 GROWTH = 2.5  #: from one level to the next
 MOST_LEVELS = 6
 LARGEST = 300_000  #: elements that are proposed at most
 PILOT_SECONDS = 60.0
+LONGEST = 600.0  #: s: that what is proposed may take
+LESS_TIME = 0.5  #: of that of a body: then a series is worth telling of
 PACKINGS = 3  #: of each level, or more where they scatter
 SHARE = 0.15  #: of the time, for more packings of one level
-
-
-@dataclass(frozen=True)
-class Proposal:
-    """A scene that keeps an error, and what that takes."""
-
-    elements: int
-    packings: int  #: whose mean keeps the error
-    changes: dict[str, Any]  #: of the scene, by dotted keys
-    errors: Errors
-    cost: Cost  #: of one packing
-    bytes: float  #: of one packing
-
-
-@dataclass(frozen=True)
-class Advice:
-    """All that was found."""
-
-    scene: Scene
-    of: str
-    at: str
-    error: float  #: that is asked for
-    kind: str
-    study: Study | None
-    scale: float
-    levels: list[Level]  #: from the coarsest
-    costs: list[Cost]  #: of one packing of each
-    model: ErrorModel | None  #: None: bodies stay as they are
-    choices: Choices
-    why_not_finer: str  #: what keeps bodies as they are
-    proposal: Proposal | None  #: None: no body up to the largest keeps the error
-    cheaper: Proposal | None  #: the mean of several packings, where that takes less time
-    least: Proposal | None  #: the largest body that was thought of, where no body keeps the error
-    pilot_seconds: float
 
 
 class Adviser:
@@ -78,9 +47,10 @@ class Adviser:
 
     def __init__(self, scene: Scene, error: float, *, of: str = "", at: str = "end",
                  packings: int = 1, largest: float = LARGEST, seconds: float = PILOT_SECONDS,
+                 longest: float = LONGEST,
                  folder: str | os.PathLike[str] = "results/advise") -> None:
         self.scene, self.error, self.packings = scene, error, packings
-        self.largest, self.seconds = largest, seconds
+        self.largest, self.seconds, self.longest = largest, seconds, longest
         self.tables = scene.tables
         self.kind = kind_of(self.tables)
         if not self.kind or "run" not in self.tables:
@@ -89,6 +59,8 @@ class Adviser:
         self.refinement: Refinement = refinement_of(self.tables)
         self.pilots = Pilots(scene, self.refinement, of, at, Path(folder))
         self.choices = Choices()
+        self.factors: list[float] = []  # of the levels: times the scene's own elements
+        self.changes: list[dict[str, Any]] = []  # of the levels, besides their fineness
 
     def advice(self) -> Advice:
         """Chooses, refines, foretells."""
@@ -112,22 +84,50 @@ class Adviser:
         def proposal(elements: float, packings: int) -> Proposal:
             return self._proposal(model, elements, packings, levels, costs, runs, exponent)
 
-        found = model.elements_for(self.error, self.largest, self.packings)
-        best = proposal(found, self.packings) if found else None
+        def allowed(elements: float | None, packings: int) -> Proposal | None:
+            made = proposal(elements, packings) if elements else None
+            return made if made and packings * made.cost.seconds <= self.longest else None
+
+        best = allowed(model.elements_for(self.error, self.largest, self.packings), self.packings)
         cheaper = None
         if self.packings == 1:
             for packings in (2, 3, 4, 6, 8):
-                fewer = model.elements_for(self.error, self.largest, packings)
-                if fewer:
-                    other = proposal(fewer, packings)
-                    known = cheaper or best
-                    if known is None or (packings * other.cost.seconds
-                                         < 0.8 * known.packings * known.cost.seconds):
-                        cheaper = other
-        least = proposal(self.largest, self.packings) if best is None else None
+                other = allowed(model.elements_for(self.error, self.largest, packings), packings)
+                known = cheaper or best
+                if other and (known is None or packings * other.cost.seconds
+                              < 0.8 * known.packings * known.cost.seconds):
+                    cheaper = other
+        least = proposal(self._most(levels, costs, exponent), self.packings) if best is None else None
         return Advice(self.scene, self.pilots.of, self.pilots.at, self.error, self.kind, study, scale,
                       levels, costs, model, self.choices, "", best, cheaper, least,
-                      self.pilots.seconds)
+                      self._series(model, levels, costs, exponent, best), self.pilots.seconds)
+
+    def _most(self, levels: list[Level], costs: list[Cost], exponent: float) -> float:
+        """Elements that are allowed, by their number and by the time that they take."""
+        few, many = levels[0].value, max(self.largest, levels[0].value)
+
+        def taken(elements: float) -> float:
+            seconds = costs[-1].times(elements / levels[-1].value, exponent).seconds
+            return self.packings * seconds
+
+        if taken(many) <= self.longest:
+            return many
+        while many > 1.02 * few:
+            middle = float(np.sqrt(few * many))
+            few, many = (middle, many) if taken(middle) <= self.longest else (few, middle)
+        return few
+
+    def _series(self, model: ErrorModel, levels: list[Level], costs: list[Cost], exponent: float,
+                best: Proposal | None) -> Series | None:
+        """Where it is the only one to keep the error, or the nearest to it, or takes far less time."""
+        longest = self.longest
+        if best is not None:
+            longest = min(LESS_TIME * best.packings * best.cost.seconds, longest)
+        parts: list[Part] = parts_of(self.factors, self.changes, levels, costs, exponent, self.largest,
+                                     GROWTH)
+        found = series_for(model, parts, self.error, longest)
+        worth = found.promised <= self.error and found.seconds > 0
+        return found if best is None or worth else None
 
     def _coarse(self) -> float:
         """How many times the scene's own elements the coarsest body has."""
@@ -158,6 +158,8 @@ class Adviser:
                                             self.error, SHARE * self.seconds)
             levels.append(level)
             runs.append(made)
+            self.factors.append(factor)
+            self.changes.append(dict(self.choices.changes))
             factor *= GROWTH
             if factor * self.own_elements > self.largest or self._told(levels, made, study):
                 break
@@ -193,9 +195,7 @@ class Adviser:
         # The scene's own number of elements is asked for, what is made may differ a little.
         asked = levels[-1].value / self._factor_of(levels[-1])
         changes = {**self.choices.changes, **self.refinement.changes(elements / asked)}
-        every = changes.get("conduction.every", 1)
-        if every > 1 and elements > levels[-1].value:
-            changes["conduction.every"] = max(1, int(every * (levels[-1].value / elements)**(1 / 3)))
+        changes |= rarer_heat(changes, elements / levels[-1].value)
         cost = costs[-1].times(elements / levels[-1].value, exponent)
         return Proposal(int(elements), packings, changes, model.errors(elements, packings), cost,
                         elements * runs[-1][0].bytes_per_element)
@@ -214,7 +214,7 @@ class Adviser:
         kept = step <= self.error
         return Advice(self.scene, self.pilots.of, self.pilots.at, self.error, self.kind, study,
                       run.scale, [], [], None, self.choices, self.refinement.why_not,
-                      proposal if kept else None, None, None if kept else proposal,
+                      proposal if kept else None, None, None if kept else proposal, None,
                       self.pilots.seconds)
 
     def _note_layers(self) -> None:
@@ -240,94 +240,9 @@ class Adviser:
 
 def advise(scene: Scene | str | os.PathLike[str], error: float, **how: Any) -> Advice:
     """Advice on a scene for a figure that errs by no more than `error`, a share of its scale. `how`:
-    of, at, packings, largest (elements), seconds (of pilot runs), folder."""
+    of, at, packings, largest (elements), seconds (of pilot runs), longest (s, of what is proposed),
+    folder."""
     return Adviser(scene if isinstance(scene, Scene) else Scene(scene), error, **how).advice()
-
-
-def scene_text(advice: Advice, proposal: Proposal) -> str:
-    """The scene as it is proposed, in the words of the scene."""
-    source = advice.scene
-    wanted = source.changed(proposal.changes)
-    text = edited(source.text, proposal.changes)
-    try:
-        same = Scene(text, folder=source.path.parent, name=source.path.stem).values == wanted.values
-    except InputError:
-        same = False
-    if not same:  # values on several lines, tables in braces: without its comments
-        tables = json.loads(json.dumps(source.tables, default=str))
-        for key, value in proposal.changes.items():
-            section, *between, entry = key.split(".")
-            table = tables.setdefault(section, {})
-            if between:
-                table = next(part for number, part in enumerate(table)
-                             if part.get("name", str(number)) == between[0])
-            table[entry] = value
-            if value is None:
-                del table[entry]
-        text = toml_text(tables)
-    head = (f"# Proposed by solidem advise: {advice.of} at the {advice.at} within "
-            f"{100 * advice.error:g} % of what finer bodies tend to"
-            + (f",\n# as the mean of {proposal.packings} packings (seeds).\n"
-               if proposal.packings > 1 else ".\n"))
-    return head + text
-
-
-def write_scene(advice: Advice, proposal: Proposal, file: Path, overwrite: bool) -> None:
-    """Writes and reads it. InputError where it cannot stand there."""
-    if file.exists() and not overwrite:
-        raise InputError(f"{file}: exists already; expected a new name, or --overwrite")
-    text = scene_text(advice, proposal)
-    try:
-        Scene(text, folder=file.parent, name=file.stem)
-    except InputError as error:
-        raise InputError(f"{file}: {error}; a scene that names files stands beside them: expected a "
-                         f"place in {advice.scene.path.parent}") from error
-    try:
-        file.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InputError(f"{file}: {error.strerror}; expected a file that can be written") from error
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """What the run and the finer one say of the promise."""
-
-    figure: float  #: of the proposed scene, the mean of its packings
-    finer: float  #: of twice the elements and half the step
-    differs: float  #: as a share of the scale
-    from_limit: float | None  #: of the figure, with all runs together
-    foretold: float  #: s, of one run of the proposed scene
-    seconds: float  #: that it took
-    processor: float
-    held: bool
-
-
-def check(advice: Advice, proposal: Proposal, folder: Path) -> Verdict:
-    """Runs what is proposed and one finer body."""
-    pilots = Pilots(advice.scene, Refinement([], "", {}), advice.of, advice.at, folder)
-    refinement = refinement_of(advice.scene.tables)
-    seeds = [{key: seed + 100 * packing for key, seed in refinement.seeds.items()} if packing else {}
-             for packing in range(proposal.packings)]
-    runs = [pilots.run(1.0, {**proposal.changes, **seed}) for seed in seeds]
-    finer = dict(proposal.changes)
-    if refinement.bodies:
-        made = Scene(scene_text(advice, proposal), folder=advice.scene.path.parent, name="proposed")
-        finer |= refinement_of(made.tables).changes(2.0)
-    if "run.time_step_ratio" in finer and not refinement.bodies:
-        finer["run.time_step_ratio"] = finer["run.time_step_ratio"] / 2
-    fine = [pilots.run(2.0, {**finer, **seed}) for seed in seeds]
-    figure = float(np.mean([run.figure for run in runs]))
-    better = float(np.mean([run.figure for run in fine]))
-    differs = abs(figure - better) / advice.scale
-    from_limit = None
-    if advice.model is not None:
-        levels = [*advice.levels, Level(runs[0].elements, 0, np.array([r.figure for r in runs]), 0),
-                  Level(fine[0].elements, 0, np.array([r.figure for r in fine]), 0)]
-        limit = ErrorModel(levels, advice.scale, advice.study).limit[0]
-        from_limit = abs(figure - limit) / advice.scale
-    cost = mean_cost(runs)
-    return Verdict(figure, better, differs, from_limit, proposal.cost.seconds, cost.seconds, cost.processor,
-                   differs <= advice.error and (from_limit or 0.0) <= advice.error)
 
 
 def share(text: str) -> float:
@@ -369,12 +284,14 @@ def parser() -> argparse.ArgumentParser:
     add("--packings", type=int, default=1, metavar="N", help="whose mean is meant (default: 1)")
     add("--largest", type=positive, default=LARGEST, metavar="N",
         help=f"elements that may be proposed (default: {LARGEST})")
+    add("--longest", type=positive, default=LONGEST, metavar="S",
+        help=f"that what is proposed may take (default: {LONGEST:g})")
     add("--pilot-seconds", type=positive, default=PILOT_SECONDS, metavar="S", help="that small runs may "
         f"take together, about (default: {PILOT_SECONDS:g})")
     add("--write", type=Path, metavar="FILE", help="the proposed scene")
     add("--overwrite", action="store_true", help="FILE, where it is there")
-    add("--run", action="store_true", help="run what is proposed and a body of twice the elements, and "
-        "say whether the promise held; exit status 1: it did not")
+    add("--run", action="store_true", help="run what is proposed and something finer, and say whether "
+        "the promise held; exit status 1: it did not")
     add("--json", action="store_true", help="for programs, all in SI units")
     add("-o", "--output", type=Path, default=Path("results/advise"), metavar="DIR",
         help="runs that are there are not made again (default: results/advise)")
@@ -394,15 +311,15 @@ def main(words: Sequence[str] | None = None) -> int:
             raise InputError(f"{given.write}: exists already; expected a new name, or --overwrite")
         found = advise(Scene(given.scene), given.error, of=given.of, at=given.at,
                        packings=given.packings, largest=given.largest, seconds=given.pilot_seconds,
-                       folder=given.output / "pilots")
+                       longest=given.longest, folder=given.output / "pilots")
         if not given.json:
             print(text_of(found), flush=True)
-        if found.proposal and given.write:
-            write_scene(found, found.proposal, given.write, given.overwrite)
+        if found.proposed and given.write:
+            write_scene(found, found.proposed, given.write, given.overwrite)
             if not given.json:
                 print(given.write)
-        if found.proposal and given.run:
-            verdict = check(found, found.proposal, given.output / "run")
+        if found.proposed and given.run:
+            verdict = check(found, found.proposed, given.output)
     except (InputError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
@@ -412,11 +329,8 @@ def main(words: Sequence[str] | None = None) -> int:
     if given.json:
         print(json.dumps(json_of(found) | ({"verdict": asdict(verdict)} if verdict else {}), indent=2))
     elif verdict:
-        told = f", {100 * verdict.from_limit:.2g} % from the limit" if verdict.from_limit else ""
-        print(f"{'held' if verdict.held else 'NOT held'}: {found.of} = {verdict.figure:.6g}, of a finer "
-              f"run {verdict.finer:.6g}: {100 * verdict.differs:.2g} % apart{told}; took "
-              f"{verdict.seconds:.3g} s, foretold {verdict.foretold:.3g}")
-    return 0 if found.proposal and (verdict is None or verdict.held) else 1
+        print(verdict_of(found, verdict))
+    return 0 if found.proposed and (verdict is None or verdict.held) else 1
 
 
 if __name__ == "__main__":

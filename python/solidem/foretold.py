@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What a few small runs foretell of a larger one: its error and its time.
 
-A figure of one run is Q = Q_0 + C h^p + scatter of its packing + error of its steps, h the size of an
-element. Q_0 and C are sought for each order p, which is weighed by how well it fits and by what the
-studies found of scenes of this kind. What is not known stays in: errors are drawn from all that the
-runs leave possible.
+Orders are weighed by how well they fit and by what the studies found of scenes of this kind. What is
+not known stays in: errors are drawn from all that the runs leave possible (posterior.py).
 """
 
 from __future__ import annotations
@@ -17,16 +15,17 @@ import numpy.typing as npt
 
 from ._core import InputError
 from .converge import Level
+from .posterior import ORDERS, Posterior, scatter_of
 from .studies import Study
 
 Floats = npt.NDArray[np.float64]
 
 DRAWS = 4000  #: of limits, constants and orders
 LIKELY = 0.95  #: with which an error stays below what is promised
-#: How far a coarse body may be off the power, over how far its figure is off that of the finest.
-OFF_THE_POWER = 0.07
-ORDERS = np.arange(0.3, 3.001, 0.05)  #: that are weighed
-UNKNOWN_ORDERS = (0.75, 2.25)  #: between which all are alike where there is no study
+UNKNOWN_ORDERS = (0.3, 2.25)  #: between which any is possible where there is no study
+#: Orders count as this power of 1 / p besides. What is left from the finest body to the limit goes as
+#: 1 / p: without it promises for orders below .75, which runs tell badly, would be broken more often.
+LOW_ORDERS_COUNT = 0.25
 
 
 @dataclass(frozen=True)
@@ -42,11 +41,12 @@ class Errors:
 
 def prior(study: Study | None) -> Floats:
     """How likely each of ORDERS is before these runs."""
+    density = ORDERS**-LOW_ORDERS_COUNT
     if study is None:
         low, high = UNKNOWN_ORDERS
-        return ((ORDERS >= low - 1e-9) & (ORDERS <= high + 1e-9)).astype(float)
-    density: Floats = np.exp(-0.5 * ((ORDERS - study.order) / study.spread)**2) * (
-        (ORDERS >= UNKNOWN_ORDERS[0] - 1e-9) & (ORDERS <= UNKNOWN_ORDERS[1] + 1e-9))
+        density *= (ORDERS >= low - 1e-9) & (ORDERS <= high + 1e-9)
+    else:
+        density *= np.exp(-0.5 * ((ORDERS - study.order) / study.spread)**2)
     return density
 
 
@@ -60,53 +60,27 @@ class ErrorModel:
         if len(levels) < 2:
             raise InputError("one refinement tells no limit; expected two or more")
         self.levels = sorted(levels, key=lambda level: level.value)
-        self.scale, self.study, self._step_error = scale, study, step_error
+        self.scale, self.study, self.step_error = scale, study, step_error
         self._first = self.levels[0].value
-        self._noise = np.random.default_rng(1)
-        counts = np.array([len(level.figures) for level in self.levels])
-        self.freedom = int((counts - 1).sum())
-        squares = sum(float(((level.figures - level.mean)**2).sum()) * level.value / self._first
-                      for level in self.levels)
-        #: Standard deviation over packings of the coarsest body; finer ones, as the root of their
-        #: number of elements.
-        self._scatter = np.sqrt(squares / self.freedom) if self.freedom else 0.0
-        self._fit(counts)
+        sizes = np.array([self.size(level.value) for level in self.levels])
+        self._scatter = scatter_of(sizes, [level.figures for level in self.levels])
+        self.posterior = Posterior(
+            sizes, np.array([level.mean for level in self.levels]),
+            np.array([float(len(level.figures)) for level in self.levels]), self._scatter, scale,
+            prior(study))
+        noise = np.random.default_rng(1)
+        self.limits, self.constants, self.orders = self.posterior.drawn(DRAWS, noise)
+        self._normal = noise.standard_t(max(self._scatter.freedom, 2), DRAWS)
 
     def size(self, elements: float) -> float:
         """h, over that of the coarsest level."""
         return float((elements / self._first)**(-1 / 3))
 
-    def _fit(self, counts: npt.NDArray[np.int64]) -> None:
-        sizes = np.array([self.size(level.value) for level in self.levels])
-        means = np.array([level.mean for level in self.levels])
-        off = np.abs(means - means[-1])
-        off[-1] = off[-2] / 3
-        widened = np.sqrt(1 + 4 / self.freedom) if self.freedom else 1.0  # few packings tell it badly
-        spread = widened * self._scatter * sizes**1.5 / np.sqrt(counts)
-        weights = 1 / np.maximum(np.hypot(spread, OFF_THE_POWER * off), 1e-9 * self.scale)
-        likely, found, roots = [], [], []
-        for order, before in zip(ORDERS, prior(self.study)):
-            columns = np.stack([np.ones_like(sizes), sizes**order], axis=1) * weights[:, None]
-            covariance = np.linalg.inv(columns.T @ columns)
-            best = covariance @ (columns.T @ (means * weights))
-            missed = float(((columns @ best - means * weights)**2).sum())
-            likely.append(np.log(max(before, 1e-300)) - 0.5 * missed
-                          + 0.5 * np.linalg.slogdet(covariance)[1])
-            found.append(best)
-            roots.append(np.linalg.cholesky(covariance))
-        shares = np.exp(np.array(likely) - max(likely)) * (prior(self.study) > 1e-12)
-        chosen = self._noise.choice(len(ORDERS), DRAWS, p=shares / shares.sum())
-        normal = self._noise.standard_normal((DRAWS, 2))
-        drawn = np.array(found)[chosen] + np.einsum("dij,dj->di", np.array(roots)[chosen], normal)
-        self.limits, self.constants = drawn.T
-        self.orders = ORDERS[chosen]
-        self._normal = self._noise.standard_t(max(self.freedom, 2), DRAWS)
-
     @property
     def limit(self) -> tuple[float, float, float]:
-        """What finer and finer bodies tend to: median and the ends of its interval."""
-        low, middle, high = np.percentile(self.limits, [2.5, 50, 97.5])
-        return float(middle), float(low), float(high)
+        """What finer and finer bodies tend to: mean and the ends of its interval."""
+        middle, half = self.posterior.limit, self.posterior.half_width(LIKELY)
+        return middle, middle - half, middle + half
 
     @property
     def order(self) -> tuple[float, float, float]:
@@ -116,13 +90,13 @@ class ErrorModel:
 
     def scatter(self, elements: float) -> float:
         """Standard deviation over packings, as a share."""
-        return float(self._scatter * self.size(elements)**1.5 / self.scale)
+        return float(self._scatter.of(self.size(elements)) / self.scale)
 
     def errors(self, elements: float, packings: int = 1) -> Errors:
         """Of the mean of so many packings."""
         bias = self.constants * self.size(elements)**self.orders / self.scale
         scatter = self.scatter(elements) / np.sqrt(packings)
-        drawn = np.abs(bias + scatter * self._normal) + self._step_error
+        drawn = np.abs(bias + scatter * self._normal) + self.step_error
         return Errors(float(np.median(np.abs(bias))),
                       float(np.quantile(np.abs(bias), LIKELY)), float(scatter),
                       float(np.median(drawn)), float(np.quantile(drawn, LIKELY)))

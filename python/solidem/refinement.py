@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from math import log
 from typing import Any, Mapping
 
 from ._core import InputError
@@ -39,13 +40,15 @@ class Refinement:
     why_not: str  #: what keeps bodies as they are; empty: nothing
     seeds: dict[str, int]  #: key of the seed of each packing -> the scene's own
 
-    def changes(self, factor: float, packing: int = 0) -> dict[str, Any]:
-        """For so many times the elements; `packing`: 0 is the scene's own seed."""
+    def changes(self, factor: float, packing: int | None = None) -> dict[str, Any]:
+        """For so many times the elements. `packing`: of which number; None: as the scene has its seed.
+        Packings of one seed but another fineness resemble each other, so each has its own; number 0 of
+        the scene's own fineness is the scene's."""
         found: dict[str, Any] = {}
         for body in self.bodies:
             found |= body.changes(factor)
-        if packing:
-            found |= {key: seed + 100 * packing for key, seed in self.seeds.items()}
+        if packing is not None and (more := 100 * (packing + 1000 * round(100 * abs(log(factor))))):
+            found |= {key: seed + more for key, seed in self.seeds.items()}
         return found
 
 
