@@ -168,9 +168,9 @@ def main() -> int:
     parser.add_argument("--largest", type=float, default=30_000, help="elements that may be proposed")
     parser.add_argument("--longest", type=float, default=120, help="s, that what is proposed may take")
     parser.add_argument("--pilot-seconds", type=float, default=20)
-    parser.add_argument("--packings", type=int, default=2, help="of the finest level of a reference")
+    parser.add_argument("--packings", type=int, default=3, help="of the finest level of a reference")
     parser.add_argument("--coarsest-reference", type=float, default=12_000, metavar="ELEMENTS")
-    parser.add_argument("--finest-reference", type=float, default=24_000, metavar="ELEMENTS")
+    parser.add_argument("--finest-reference", type=float, default=12_000, metavar="ELEMENTS")
     parser.add_argument("--folder", type=Path, default=ROOT / "results" / "advice_kept")
     given = parser.parse_args()
     rows: list[Row] = []

@@ -96,30 +96,29 @@ class Posterior:
         off[-1] = off[-2] / 3
         one = np.asarray(scatter.of(sizes))
         spread = np.hypot(scatter.widened * one / np.sqrt(counts), STAYS * one)
-        powers = sizes**ORDERS[:, None]
-        kept = np.log(np.maximum(prior, 1e-300))
-        columns: list[list[Floats]] = []
-        for share, how_likely in OFF_THE_POWER:
-            weights = np.maximum(np.hypot(spread, share * off), 1e-9 * scale)**-2
-            whole, first, second = weights.sum(), powers @ weights, powers**2 @ weights
-            moved, tilted = weights @ rest, powers @ (weights * rest)
-            for extent in EXTENTS:
-                bound = 1 / (extent * scale)**2
-                determinant = whole * (second + bound) - first**2
-                limits = ((second + bound) * moved - first * tilted) / determinant
-                constants = (whole * tilted - first * moved) / determinant
-                missed = ((rest - limits[:, None] - constants[:, None] * powers)**2 @ weights
-                          + bound * constants**2)
-                likely = (kept + np.log(how_likely / extent) + 0.5 * np.log(weights).sum()
-                          - 0.5 * np.log(determinant) - 0.5 * missed)
-                columns.append([likely, limits + means[-1], constants, (second + bound) / determinant,
-                                whole / determinant, -first / determinant, ORDERS])
-        likely, *table = (np.concatenate(column) for column in zip(*columns))
+        powers = sizes**ORDERS[:, None]  # (orders, levels); all below (off the power, extent, order)
+        apart, as_likely = (np.array(column)[:, None, None] for column in zip(*OFF_THE_POWER))
+        extents = np.array(EXTENTS)[None, :, None] * scale
+        weights = np.maximum(np.hypot(spread, apart * off), 1e-9 * scale)[:, 0]**-2
+        whole, moved = weights.sum(axis=1)[:, None, None], (weights @ rest)[:, None, None]
+        first, second = (weights @ powers.T)[:, None], (weights @ (powers**2).T)[:, None]
+        tilted = ((weights * rest) @ powers.T)[:, None]
+        held = second + extents**-2
+        determinant = whole * held - first**2
+        limits = (held * moved - first * tilted) / determinant
+        constants = (whole * tilted - first * moved) / determinant
+        missed = (weights @ rest**2)[:, None, None] - limits * moved - constants * tilted
+        likely = (np.log(np.maximum(prior, 1e-300) * as_likely / extents)
+                  + 0.5 * np.log(weights).sum(axis=1)[:, None, None]
+                  - 0.5 * np.log(determinant) - 0.5 * missed)
+        table = [limits + means[-1], constants, held / determinant, whole / determinant,
+                 -first / determinant, ORDERS]
         shares = np.exp(likely - likely.max())
         chosen = shares > 1e-5
         self.shares = shares[chosen] / shares[chosen].sum()
         (self._limits, self._constants, self._of_limits, self._of_constants, self._together,
-         self._orders) = (column[chosen] for column in table)
+         self._orders) = (np.broadcast_to(column, likely.shape)[chosen]
+                                            for column in table)
         self.limit = float(self.shares @ self._limits)  #: mean
 
     def half_width(self, probability: float) -> float:
@@ -127,7 +126,7 @@ class Posterior:
         deviation = np.sqrt(self._of_limits)
         variance = self.shares @ (self._of_limits + (self._limits - self.limit)**2)
         narrow, wide = 0.0, 8 * float(np.sqrt(variance))
-        for _ in range(30):
+        for _ in range(24):
             middle = 0.5 * (narrow + wide)
             inside = self.shares @ (_below((self.limit + middle - self._limits) / deviation)
                                     - _below((self.limit - middle - self._limits) / deviation))

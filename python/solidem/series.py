@@ -46,7 +46,7 @@ class Series:
     @property
     def seconds(self) -> float:
         """Of what is not there yet, by the clock."""
-        return sum((part.packings - part.made) * part.cost.seconds for part in self.parts)
+        return _seconds(self.parts)
 
     @property
     def processor(self) -> float:
@@ -58,14 +58,17 @@ class Series:
         return [part for part in self.parts if part.packings]
 
 
-def _foreseen(model: ErrorModel, parts: Sequence[Part]) -> Series:
-    """What the limit of these would be known to."""
+def _foreseen(model: ErrorModel, parts: Sequence[Part], probability: float) -> float:
+    """Share that the limit of these would be known to."""
     asked = [part for part in parts if part.packings]
     after = model.posterior.foreseen(np.array([model.size(part.elements) for part in asked]),
                                      np.array([float(part.packings) for part in asked]))
-    expected, promised = (after.half_width(probability) / model.scale + model.step_error
-                          for probability in (MEDIAN, LIKELY))
-    return Series(list(parts), expected, promised)
+    return after.half_width(probability) / model.scale + model.step_error
+
+
+def _seconds(parts: Sequence[Part]) -> float:
+    """By the clock, of what is not there yet."""
+    return sum((part.packings - part.made) * part.cost.seconds for part in parts)
 
 
 def _with_more(part: Part) -> Part:
@@ -78,21 +81,23 @@ def series_for(model: ErrorModel, parts: Sequence[Part], error: float, longest: 
     """Adds packings, of that level each time which narrows the limit most for its time, until the
     error is kept, or the next would take longer than `longest` s. Levels of no packings yet are those
     that may be thought of."""
-    found = _foreseen(model, parts)
-    while found.promised > AIM * error:
-        best, most = None, 0.0
-        for number, part in enumerate(found.parts):
+    found, promised = list(parts), _foreseen(model, parts, LIKELY)
+    while promised > AIM * error:
+        best, narrowest, most = found, promised, 0.0
+        for number, part in enumerate(found):
             if part.packings >= MOST_PACKINGS:
                 continue
-            more = _with_more(part)
-            other = _foreseen(model, [*found.parts[:number], more, *found.parts[number + 1:]])
-            gained = np.log(found.promised / other.promised) / max(other.seconds - found.seconds, 1e-9)
-            if other.seconds <= longest and gained > most:
-                best, most = other, gained
-        if best is None:
+            other = [*found[:number], _with_more(part), *found[number + 1:]]
+            if _seconds(other) > longest:
+                continue
+            narrower = _foreseen(model, other, LIKELY)
+            gained = np.log(promised / narrower) / max(_seconds(other) - _seconds(found), 1e-9)
+            if gained > most:
+                best, narrowest, most = other, narrower, gained
+        if best is found:
             break
-        found = best
-    return found
+        found, promised = best, narrowest
+    return Series(found, _foreseen(model, found, MEDIAN), promised)
 
 
 def rarer_heat(changes: dict[str, Any], ratio: float) -> dict[str, Any]:
