@@ -166,7 +166,7 @@ def main() -> int:
     parser.add_argument("--scenes", nargs="+", choices=known, default=known)
     parser.add_argument("--errors", nargs="+", type=share, default=[0.05, 0.01])
     parser.add_argument("--largest", type=float, default=30_000, help="elements that may be proposed")
-    parser.add_argument("--longest", type=float, default=120, help="s, that what is proposed may take")
+    parser.add_argument("--longest", type=float, default=60, help="s, that what is proposed may take")
     parser.add_argument("--pilot-seconds", type=float, default=20)
     parser.add_argument("--packings", type=int, default=3, help="of the finest level of a reference")
     parser.add_argument("--coarsest-reference", type=float, default=12_000, metavar="ELEMENTS")

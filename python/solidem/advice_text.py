@@ -38,12 +38,14 @@ def _pilots(advice: Advice) -> list[str]:
     rows = [["elements", advice.of, "scatter", "error", "time of one"]]
     model = advice.model
     assert model is not None
-    for level, cost in zip(advice.levels, advice.costs):
+    for level, cost in zip(model.levels, advice.costs):
         count = len(level.figures)
         spread = per_cent(float(level.figures.std(ddof=1)) / advice.scale) if count > 1 else "-"
         rows.append([f"{level.value:.0f}, {count} packing{'s' * (count > 1)}", f"{level.mean:.6g}",
                      spread, per_cent(model.errors(level.value, count).bias), seconds(cost.seconds)])
-    return [f"Small runs ({seconds(advice.pilot_seconds)} in all)", *_rows(rows)]
+    told = [f"  {model.strays} left out, far from all others: as of a sensor whose nearest element hangs on "
+            "no bond"] if model.strays else []
+    return [f"Small runs ({seconds(advice.pilot_seconds)} in all)", *_rows(rows), *told]
 
 
 def _limit(advice: Advice) -> list[str]:

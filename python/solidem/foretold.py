@@ -7,7 +7,7 @@ not known stays in: errors are drawn from all that the runs leave possible (post
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Sequence
 
 import numpy as np
@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from ._core import InputError
 from .converge import Level
-from .posterior import ORDERS, Posterior, scatter_of
+from .posterior import ORDERS, Posterior, scatter_of, without_strays
 from .studies import Study
 
 Floats = npt.NDArray[np.float64]
@@ -59,10 +59,14 @@ class ErrorModel:
         `step_error`: share that the steps of the finest level err by."""
         if len(levels) < 2:
             raise InputError("one refinement tells no limit; expected two or more")
-        self.levels = sorted(levels, key=lambda level: level.value)
+        levels = sorted(levels, key=lambda level: level.value)
         self.scale, self.study, self.step_error = scale, study, step_error
-        self._first = self.levels[0].value
-        sizes = np.array([self.size(level.value) for level in self.levels])
+        self._first = levels[0].value
+        sizes = np.array([self.size(level.value) for level in levels])
+        kept = without_strays(sizes, [level.figures for level in levels])
+        self.levels = [replace(level, figures=figures) for level, figures in zip(levels, kept)]
+        #: Packings whose figures are far from all others.
+        self.strays = sum(len(level.figures) for level in levels) - sum(map(len, kept))
         self._scatter = scatter_of(sizes, [level.figures for level in self.levels])
         self.posterior = Posterior(
             sizes, np.array([level.mean for level in self.levels]),

@@ -31,6 +31,7 @@ EXTENTS = (0.03, 0.1, 0.3, 1.0)
 STAYS = 0.15
 FALLS = np.arange(0.4, 1.801, 0.05)  #: powers of the size that scatter may fall with
 USUAL_FALL, FALL_SPREAD = 1.3, 0.3  #: as found of packings; 1.5 is as independent elements
+STRAY = 8.0  #: robust standard deviations from the median, beyond which a figure says nothing of scatter
 _AT = np.linspace(-6.0, 6.0, 1201)
 _BELOW = np.array([0.5 * (1 + erf(value / np.sqrt(2))) for value in _AT])
 
@@ -70,6 +71,18 @@ def scatter_of(sizes: Floats, figures: Sequence[Floats]) -> Scatter:
               - 0.5 * ((FALLS - USUAL_FALL) / FALL_SPREAD)**2)
     best = int(likely.argmax())
     return Scatter(float(np.sqrt(variance[best])), float(FALLS[best]), freedom)
+
+
+def without_strays(sizes: Floats, figures: Sequence[Floats]) -> list[Floats]:
+    """Figures without those that are far from all others of their level, whether the scatter is that of
+    the level or of all levels together: of a sensor whose nearest element hangs on no bond."""
+    away = [np.abs(level - np.median(level)) for level in figures]
+    scaled = np.concatenate([off / size**USUAL_FALL for off, size in zip(away, sizes)])
+    if not scaled.any():
+        return list(figures)
+    usual = 1.4826 * np.median(scaled[scaled > 0])  # a median itself is no deviation
+    return [level[off <= STRAY * max(usual * size**USUAL_FALL, 1.4826 * float(np.median(off)))]
+            for level, off, size in zip(figures, away, sizes)]
 
 
 class Drawn(NamedTuple):

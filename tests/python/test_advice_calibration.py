@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, os.environ.get("SOLIDEM_PYTHON", str(ROOT / "build" / "release" / "python")))
 from solidem.converge import Level  # noqa: E402
 from solidem.foretold import LIKELY, Cost, ErrorModel  # noqa: E402
-from solidem.posterior import scatter_of  # noqa: E402
+from solidem.posterior import scatter_of, without_strays  # noqa: E402
 from solidem.series import parts_of, series_for  # noqa: E402
 from solidem.studies import Study, study_of  # noqa: E402
 
@@ -149,3 +149,23 @@ def test_coarse_bodies_off_the_power_count_less() -> None:
     smooth, jumping = model(0.0).posterior, model(1.0).posterior
     assert jumping.half_width(LIKELY) > 1.5 * smooth.half_width(LIKELY)
     assert abs(jumping.limit - LIMIT) <= jumping.half_width(LIKELY)
+
+
+def test_a_figure_far_from_all_others_is_left_out() -> None:
+    """A sensor that reads a loose element, in one packing of some tens; of what scatters, however it falls
+    with the size, nothing is."""
+    noise = np.random.default_rng(4)
+    sizes = np.array([1.0, 0.7, 0.5, 0.35])
+    left_out = 0
+    for falls in (0.8, 1.3, 1.7):
+        for _ in range(200):
+            figures = [LIMIT + size**falls * noise.standard_normal(6) for size in sizes]
+            left_out += 24 - sum(map(len, without_strays(sizes, figures)))
+    assert left_out <= 3  # of 14400
+    levels = [Level(elements, 0.0, LIMIT * (1 + 0.05 * (elements / 300)**-0.5 * noise.standard_normal(6)), 1.0)
+              for elements, _ in PACKINGS]
+    before = ErrorModel(levels, LIMIT, None)
+    levels[2].figures[3] = 0.0
+    after = ErrorModel(levels, LIMIT, None)
+    assert (before.strays, after.strays) == (0, 1) and len(after.levels[2].figures) == 5
+    assert after.posterior.half_width(LIKELY) < 1.5 * before.posterior.half_width(LIKELY)
