@@ -122,7 +122,7 @@ class Trial:
         if isinstance(best, Series):
             assert advice.model is not None
             told = run_series(self.pilots("pilots"), best, advice.model, advice.error)
-            figure, taken, foretold = told.figure, told.processor, told.foretold
+            figure, taken, foretold = told.figure, told.processor, best.processor
             parts = [part for part in best.asked()]
             proposed = ", ".join(f"{part.packings} × {part.elements:.0f}" for part in parts)
             elements, promised, expected = int(parts[-1].elements), best.promised, best.expected

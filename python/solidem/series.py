@@ -18,7 +18,7 @@ MOST_PACKINGS = 150  #: of one level
 FINER = 2  #: levels beyond the small runs that are thought of
 MEDIAN = 0.5
 AIM = 0.93  #: of the error: figures of runs to come are not known
-ROUNDS = 3  #: in which packings are added, where those foreseen do not tell the limit well enough
+MORE_TIME = 0.4  #: of that of a series, for packings more where the limit is known worse than foreseen
 FINER_CHECK = 2.0  #: times the elements of the finest level, of a check
 CHECKED = 2  #: packings of it
 
@@ -130,7 +130,6 @@ class Told:
     known: float  #: half of its interval, a share of the scale
     seconds: float  #: of the runs that were not there, by the clock
     processor: float
-    foretold: float  #: of them, of the processor
     finer: float | None = None  #: limit with a finer level
 
 
@@ -155,17 +154,14 @@ def run_series(pilots: Pilots, series: Series, model: ErrorModel, error: float,
     one finer level."""
     runs: dict[tuple[float, int], Pilot] = {}
     there = {(part.factor, packing) for part in series.parts for packing in range(part.made)}
-    foretold, parts = series.processor, series.asked()
+    parts = series.asked()
     levels = _levels(pilots, parts, runs)
     now = ErrorModel(levels, model.scale, model.study, model.step_error)
-    for _ in range(ROUNDS):
-        known = now.posterior.half_width(LIKELY) / model.scale + model.step_error
-        if known <= error or series.promised > error:
-            break
+    known = now.posterior.half_width(LIKELY) / model.scale + model.step_error
+    if known > error >= series.promised:
         before = [replace(part, elements=level.value, made=part.packings)
                   for part, level in zip(parts, levels)]
-        more = series_for(now, before, error, max(series.seconds, 1.0))
-        parts, foretold = more.asked(), foretold + more.processor
+        parts = series_for(now, before, error, MORE_TIME * series.seconds).asked()
         levels = _levels(pilots, parts, runs)
         now = ErrorModel(levels, model.scale, model.study, model.step_error)
     known = now.posterior.half_width(LIKELY) / model.scale + model.step_error
@@ -177,4 +173,4 @@ def run_series(pilots: Pilots, series: Series, model: ErrorModel, error: float,
             **last.changes, **rarer_heat(last.changes, FINER_CHECK)})], {})
         finer = ErrorModel([*levels, *fine], model.scale, model.study).posterior.limit
     return Told(now, now.posterior.limit, known, sum(run.cost.seconds for run in new),
-                sum(run.cost.processor for run in new), foretold, finer)
+                sum(run.cost.processor for run in new), finer)
