@@ -21,6 +21,7 @@ USUAL = ("gauge.stress", "sensor.", "grip.", "tool.", "thermal_energy", "kinetic
 
 
 MOST_PACKINGS = 16
+SCATTER_TOLD = 6  #: packings, where they take little: fewer may be alike by chance
 WELL_KNOWN = 0.15  #: share of the error within which the mean of packings is known
 
 
@@ -112,10 +113,11 @@ class Pilots:
 
     def level(self, factor: float, choices: Mapping[str, Any], packings: int, error: float,
               seconds: float) -> tuple[Level, list[Pilot]]:
-        """Packings of one fineness: so many, and more as long as their mean is not known well beside
-        the error and they take no longer than this."""
+        """Packings of one fineness: so many, and more as long as they tell their scatter badly, or their
+        mean is not known well beside the error, and they take no longer than this."""
         runs = [self.run(factor, choices, packing) for packing in range(packings)]
-        while (1 < len(runs) < MOST_PACKINGS and _badly_known(runs, error)
+        while (1 < len(runs) < MOST_PACKINGS
+               and (len(runs) < SCATTER_TOLD or _badly_known(runs, error))
                and sum(min(run.cost.seconds, run.cost.processor) for run in runs) < seconds):
             runs.append(self.run(factor, choices, len(runs)))
         elements = float(np.mean([run.elements for run in runs]))
