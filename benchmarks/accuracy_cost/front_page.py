@@ -256,7 +256,9 @@ def advice() -> list[str]:
              "`solidem advise` ([command_line.md](command_line.md#how-fine-a-scene-has-to-be)) on scenes "
              "that no study contains: what was asked for, what was proposed (elements of one body; or the "
              "packings × elements of a series, whose limit is taken) and promised, and the error against the "
-             "limit of other packings, which errs itself (±, 95 %). "
+             "limit of other packings, which errs itself (±, 95 %: where that is more than the promise, kept means "
+             "that both limits agree as well as was promised). A promise holds with a probability of 95 %, so one "
+             "of twenty is broken by the packing that is run. "
              f"{kept} of {len(each)} promises were kept, {broken} broken"
              + (f"; of {open_} the reference is too coarse to tell" if open_ else "")
              + f". The time was within a factor 1.5 of the forecast in {near} of {len(each)} (processor time; "
