@@ -29,6 +29,7 @@
 #include "solve/statics/finite_equilibrium.hpp"
 #include "solve/statics/modes.hpp"
 #include "solve/statics/static_grips.hpp"
+#include "specimen/bonds.hpp"
 #include "specimen/pieces.hpp"
 
 namespace solidem {
@@ -357,7 +358,8 @@ Json solve_that(const Scene& scene, const SolveCommand& command) {
          action.displacement.y, action.displacement.z);
   }
   for (const Sensor& sensor : scene.setup.sensors) {
-    const auto e = static_cast<std::size_t>(nearest_element(body.specimen, sensor.point));
+    const auto e = static_cast<std::size_t>(nearest_element(
+        body.specimen, elements_of_the_body(count_bonds(body.specimen)), sensor.point));
     summary["sensors"][sensor.name] = {
         {"position", json_of(body.specimen.position[e] + equilibrium.displacement[e])},
         {"displacement", json_of(equilibrium.displacement[e])}};

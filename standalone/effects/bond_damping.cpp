@@ -193,7 +193,8 @@ class BondDamping : public Effect {
              m.has_rotation ? m.inverse_inertia[i] + m.inverse_inertia[j] : 1.0}};
   }
 
-  /// Motion of two elements by rows of eight, of which the fourth and the eighth are other than motion.
+  /// Motion of two elements by rows of eight, of which the fourth and the eighth are other than
+  /// motion.
   static BondMotion<double> motion_of(const double* rows, std::int32_t i, std::int32_t j) {
     const double* a = rows + std::ptrdiff_t{8} * i;
     const double* b = rows + std::ptrdiff_t{8} * j;

@@ -13,29 +13,10 @@ namespace solidem {
 
 namespace {
 
-/// Elements whose temperature means something: those that conduct, or all if none does.
-std::vector<std::int32_t> conducting_elements(const Model& model) {
-  const std::vector<int> neighbours = model.conductors().coordination();
-  std::vector<std::int32_t> all, conducting;
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    all.push_back(static_cast<std::int32_t>(i));
-    if (neighbours[i] > 0) conducting.push_back(static_cast<std::int32_t>(i));
-  }
-  return conducting.empty() ? all : conducting;
-}
-
 /// From a point to an element, or to the nearest image of it.
 Vector way_to(const Specimen& specimen, std::int32_t element, const Vector& point) {
   return to_nearest_image(specimen.domain,
                           specimen.position[static_cast<std::size_t>(element)] - point);
-}
-
-std::int32_t nearest_of(const std::vector<std::int32_t>& elements, const Specimen& specimen,
-                        const Vector& point) {
-  const auto distance = [&](std::int32_t e) { return norm(way_to(specimen, e, point)); };
-  return *std::min_element(elements.begin(), elements.end(), [&](std::int32_t a, std::int32_t b) {
-    return distance(a) < distance(b);
-  });
 }
 
 /// Refuses a point that is far from all elements.
@@ -87,14 +68,20 @@ std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
 
 }  // namespace
 
-PointSensor::PointSensor(const Sensor& sensor, const Model& model)
-    : sensor_(sensor), element_(nearest_element(model.specimen(), sensor.point)) {
-  check_point(sensor, model.specimen());
-  if (sensor.quantity != Sensor::Quantity::temperature) return;
-  const std::vector<std::int32_t> elements = conducting_elements(model);
-  element_ = nearest_of(elements, model.specimen(), sensor.point);
+PointSensor::PointSensor(const Sensor& sensor, const Model& model, bool elements_touch)
+    : sensor_(sensor) {
+  const Specimen& specimen = model.specimen();
+  check_point(sensor, specimen);
+  const bool thermal = sensor.quantity == Sensor::Quantity::temperature;
+  // What no bond holds stands still, unless others touch it: it tells nothing of the body.
+  const Slots& joined = thermal ? model.conductors() : model.slots();
+  const std::vector<std::int32_t> elements =
+      elements_touch && !thermal ? elements_of_the_body(std::vector<int>(specimen.size(), 0))
+                                 : elements_of_the_body(joined.coordination());
+  element_ = nearest_element(specimen, elements, sensor.point);
+  if (!thermal) return;
   if (sensor.sampling == Sensor::Sampling::fit)
-    weights_ = fit_weights(elements, model.specimen(), sensor.point);
+    weights_ = fit_weights(elements, specimen, sensor.point);
   else
     weights_ = {{element_, 1}};
 }

@@ -9,16 +9,17 @@
 
 namespace solidem {
 
-/// Follows a quantity at the element nearest to a point, or a temperature by a linear fit round it.
+/// Follows a quantity at the element nearest to a point, or a temperature by a linear fit round it;
+/// of elements that nothing joins to others only where those that touch act on each other.
 class PointSensor : public Observer {
  public:
-  PointSensor(const Sensor& sensor, const Model& model);
+  PointSensor(const Sensor& sensor, const Model& model, bool elements_touch);
   void observe(const Model& model, Observation& observation) const override;
   std::int32_t element() const { return element_; }
 
  private:
   Sensor sensor_;
-  std::int32_t element_;
+  std::int32_t element_ = 0;
   std::vector<ElementValue> weights_;  ///< of elements' temperatures
 };
 

@@ -173,7 +173,8 @@ void Simulation::add_observers() {
     observers_.push_back(std::move(gauge));
   }
   for (const Sensor& sensor : setup_.sensors) {
-    auto point = std::make_unique<PointSensor>(sensor, model_);
+    auto point =
+        std::make_unique<PointSensor>(sensor, model_, setup_.get<ContactParameters>().has_value());
     selections_["sensor." + sensor.name] = {point->element()};
     observers_.push_back(std::move(point));
   }

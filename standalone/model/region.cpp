@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/region.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
 #include "model/error.hpp"
 #include "model/periodic_image.hpp"
 
@@ -79,14 +83,24 @@ std::vector<std::int32_t> select(const Region& region, const Specimen& specimen)
   return elements;
 }
 
-std::int32_t nearest_element(const Specimen& specimen, const Vector& point) {
+std::vector<std::int32_t> elements_of_the_body(const std::vector<std::int32_t>& neighbours) {
+  std::vector<std::int32_t> all(neighbours.size()), joined;
+  std::iota(all.begin(), all.end(), 0);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(joined),
+               [&](std::int32_t e) { return neighbours[static_cast<std::size_t>(e)] > 0; });
+  return joined.empty() ? all : joined;
+}
+
+std::int32_t nearest_element(const Specimen& specimen, const std::vector<std::int32_t>& elements,
+                             const Vector& point) {
   std::int32_t best = 0;
   double least = Region::infinity;
-  for (std::size_t i = 0; i < specimen.size(); ++i) {
-    const Vector d = to_nearest_image(specimen.domain, specimen.position[i] - point);
+  for (const std::int32_t e : elements) {
+    const Vector d =
+        to_nearest_image(specimen.domain, specimen.position[static_cast<std::size_t>(e)] - point);
     if (dot(d, d) < least) {
       least = dot(d, d);
-      best = static_cast<std::int32_t>(i);
+      best = e;
     }
   }
   return best;

@@ -36,8 +36,13 @@ struct Region {
 /// region is the caller's to judge.
 std::vector<std::int32_t> select(const Region& region, const Specimen& specimen);
 
-/// The element whose centre at rest is nearest to a point.
-std::int32_t nearest_element(const Specimen& specimen, const Vector& point);
+/// Elements that have neighbours, of which each has so many, or all if none has any: those whose
+/// motion or temperature tells that of the body.
+std::vector<std::int32_t> elements_of_the_body(const std::vector<std::int32_t>& neighbours);
+
+/// Of some elements the one whose centre at rest, or an image of it, is nearest to a point.
+std::int32_t nearest_element(const Specimen& specimen, const std::vector<std::int32_t>& elements,
+                             const Vector& point);
 
 }  // namespace solidem
 

@@ -8,7 +8,9 @@
 
 #include <cmath>
 
+#include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
+#include "support/beams.hpp"
 #include "support/specimens.hpp"
 
 namespace solidem::gauge_test {
@@ -108,6 +110,25 @@ TEST(Sensors, far_from_the_body_are_refused) {
   EXPECT_THROW(Simulation(setup, block()), InputError);
   setup.sensors[0].point = {-2e-4, 0, 0};
   EXPECT_NO_THROW(Simulation(setup, block()));
+}
+
+TEST(Sensors, follow_the_body_and_no_element_that_hangs_on_no_bond) {
+  Specimen specimen = row_of(4);
+  // In a gap of the body, and nearer to the point than any of it.
+  specimen.position.push_back({3 * hand_radius, 1.9 * hand_radius, 0});
+  specimen.radius.push_back(hand_radius);
+  auto setup = beam_setup();
+  setup.sensors.push_back({"here", specimen.position.back(), Sensor::Quantity::displacement,
+                           Sensor::Sampling::nearest});
+  for (const bool touches : {false, true}) {
+    SCOPED_TRACE(touches);
+    if (touches) setup.get<ContactParameters>() = ContactParameters{};
+    Simulation simulation(setup, specimen, true);
+    for (std::size_t i = 0; i < 4; ++i) simulation.model().positions()[i][1] += 1e-6;
+    // With contacts a loose element may be what is to be followed.
+    EXPECT_NEAR(value_of(simulation.observe(), "sensor.here.displacement_y"), touches ? 0 : 1e-6,
+                1e-15);
+  }
 }
 
 TEST(Sensors, see_a_periodic_body_from_any_of_its_images) {

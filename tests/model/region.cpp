@@ -52,7 +52,12 @@ TEST(Region, set_that_is_not_there_names_those_that_are) {
 }
 
 TEST(Region, nearest_element_of_a_point) {
-  EXPECT_EQ(nearest_element(row_of_five(), {3.2, 9, 0}), 3);
+  const std::vector<std::int32_t> all = elements_of_the_body({0, 0, 0, 0, 0});
+  EXPECT_EQ(all, (std::vector<std::int32_t>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(nearest_element(row_of_five(), all, {3.2, 9, 0}), 3);
+  const std::vector<std::int32_t> joined = elements_of_the_body({1, 2, 1, 0, 0});
+  EXPECT_EQ(joined, (std::vector<std::int32_t>{0, 1, 2}));
+  EXPECT_EQ(nearest_element(row_of_five(), joined, {3.2, 9, 0}), 2);
 }
 
 TEST(Specimen, represented_mass_is_that_of_the_body) {
