@@ -263,7 +263,7 @@ def advice() -> list[str]:
              + (f"; of {open_} the reference is too coarse to tell" if open_ else "")
              + f". The time was within a factor 1.5 of the forecast in {near} of {len(each)} (processor time; "
              f"small runs, which take some 20 s, come before). In {beyond} of {len(rows)} rows nothing that was "
-             "allowed (30000 elements, 60 s) kept what was asked; there the promise is that of what comes "
+             "allowed (30000 elements, 40 s; of contact_punch 120 s) kept what was asked; there the promise is that of what comes "
              "nearest ([advice.csv](accuracy_cost/advice.csv)).", "",
              "| scene | asked | promised | proposed | error | reference | forecast | taken |",
              "|---|---|---|---|---|---|---|---|"]
