@@ -236,8 +236,9 @@ class Bench:
                                       known.get(reading.reference))
                  for reading in study.readings}
         summary, set_up = self._summary(point)
-        # A body at rest is solved for in no steps; what is no set-up is that.
-        seconds = result.wall_seconds - (set_up or 0) if point.code == "statics" else result.wall_seconds
+        seconds = result.wall_seconds
+        if point.code == "statics":  # which takes no steps; writing counts nowhere
+            seconds = sum(summary["wall_seconds"].get(part, 0) for part in ("equilibrium", "modes"))
         return Run(study.name, point.labels, repetition, order, result.elements, result.bonds,
                    result.steps, seconds, set_up, packing + calibrating, found, summary)
 
