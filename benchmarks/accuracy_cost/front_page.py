@@ -241,6 +241,12 @@ def effects() -> list[str]:
     return [*lines, ""]
 
 
+def _span(rows: list[dict[str, str]], column: str) -> str:
+    """Least and largest number of a column."""
+    numbers = sorted({float(row[column]) for row in rows})
+    return f"{numbers[0]:g}" if len(numbers) == 1 else f"{numbers[0]:g} to {numbers[-1]:g}"
+
+
 def advice() -> list[str]:
     """How advice keeps its word."""
     rows = csv_rows(DOCS / "advice.csv")
@@ -263,8 +269,8 @@ def advice() -> list[str]:
              + (f"; of {open_} the reference is too coarse to tell" if open_ else "")
              + f". The time was within a factor 1.5 of the forecast in {near} of {len(each)} (processor time; "
              f"small runs, which take some 20 s, come before). In {beyond} of {len(rows)} rows nothing that was "
-             "allowed (30000 elements, 40 s; of contact_punch 120 s) kept what was asked; there the promise is that of what comes "
-             "nearest ([advice.csv](accuracy_cost/advice.csv)).", "",
+             f"allowed ({_span(rows, 'largest')} elements, {_span(rows, 'longest')} s) kept what was asked; there "
+             "the promise is that of what comes nearest ([advice.csv](accuracy_cost/advice.csv)).", "",
              "| scene | asked | promised | proposed | error | reference | forecast | taken |",
              "|---|---|---|---|---|---|---|---|"]
     for row in rows:

@@ -61,6 +61,8 @@ class Row:
     foretold_seconds: float  #: of the processor
     taken_seconds: float  #: of the processor
     time_ratio: float
+    largest: float  #: elements that were allowed
+    longest: float  #: s, that were allowed
 
 
 def asked_of(path: Path) -> tuple[str, str]:
@@ -138,7 +140,8 @@ class Trial:
         verdict = ("kept" if error <= promised else "broken" if error - known > promised else "not told")
         return Row(self.path.stem, advice.kind, self.of, advice.error, reachable, proposed, promised,
                    expected, elements, packings, known, error, verdict, advice.pilot_seconds,
-                   foretold, taken, taken / foretold if foretold else 1.0)
+                   foretold, taken, taken / foretold if foretold else 1.0, self.given.largest,
+                   self.given.longest)
 
 
 def told(row: Row) -> str:

@@ -36,7 +36,7 @@ def test_eight_scenes_of_each_kind_and_none_of_a_study() -> None:
 
 def test_a_broken_promise_is_told() -> None:
     row = Row("bar", "elastic", "gauge.stress", 0.01, True, "body", 0.01, 0.004, 1000, "2 × 4000", 0.001,
-              0.02, "broken", 10.0, 2.0, 4.0, 2.0)
+              0.02, "broken", 10.0, 2.0, 4.0, 2.0, 30_000.0, 60.0)
     assert "1000 elements, promised 1 %, error 2 % ± 0.1 % broken; foretold 2 s, took 4 s (× 2.00)" in told(row)
 
 
