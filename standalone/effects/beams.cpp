@@ -222,7 +222,7 @@ std::vector<TimeStepCriterion> Beams::time_step_criteria(const Model& model) con
   model.slots().for_each([&](std::int32_t i, std::int32_t /*j*/, std::size_t row, int lane) {
     const SlotReader slot{row, lane};
     const double rest_length = slot.number(columns_now.rest_length);
-    const BeamRigidity<double> rigidity = rigidity_in(columns_now, slot);
+    const BeamRigidity<double> rigidity = rigidity_in<double>(columns_now, slot);
     axial = std::max(axial, inverse_mass[i] / rest_length * rigidity.axial);
     if (!demands_.has_rotation()) return;
     const double inertia = columns_now.inverse_inertia[i] / rest_length;

@@ -186,7 +186,7 @@ class BondDamping : public Effect {
   static Seen see(const BeamMotion& m, std::int32_t i, std::int32_t j, std::size_t row, int lane) {
     const SlotReader slot{row, lane};
     // A spring has no dashpot against turning, whatever turns.
-    return {rigidity_in(m, slot),
+    return {rigidity_in<double>(m, slot),
             slot.number(m.rest_length),
             ends_in(m.pose, m, slot, i, j).chord,
             {m.inverse_mass[i] + m.inverse_mass[j],

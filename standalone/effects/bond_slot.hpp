@@ -51,12 +51,6 @@ inline BondKind bond_kind(const BeamMotion& m) {
   return {m.has_rotation, m.bond_rigidity != nullptr, m.watch == Watch::remembering};
 }
 
-inline BeamRigidity<double> rigidity_in(const BeamMotion& m, const SlotReader& slot) {
-  if (m.bond_rigidity == nullptr) return m.rigidity;
-  return {slot.number(m.bond_rigidity, 4, 0), slot.number(m.bond_rigidity, 4, 1),
-          slot.number(m.bond_rigidity, 4, 2), slot.number(m.bond_rigidity, 4, 3)};
-}
-
 /// A bond as it stands before any flow, whose ends are those.
 inline BondNow<double> bond_in(const BeamMotion& m, const SlotReader& slot,
                                const BeamEnds<double>& ends) {

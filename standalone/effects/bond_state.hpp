@@ -67,6 +67,16 @@ inline YieldCurve<Law, Real> yield_curve(const Law& law, const Motion& m, const 
   return curve;
 }
 
+/// The rigidity of the bond in a slot, which is that of all where they are alike.
+template <class Real, class Motion, class Slot>
+inline BeamRigidity<Real> rigidity_in(const Motion& m, const Slot& slot) {
+  if (m.bond_rigidity == nullptr)
+    return {Real(m.rigidity.axial), Real(m.rigidity.bending), Real(m.rigidity.shear),
+            Real(m.rigidity.torsion)};
+  return {slot.number(m.bond_rigidity, 4, 0), slot.number(m.bond_rigidity, 4, 1),
+          slot.number(m.bond_rigidity, 4, 2), slot.number(m.bond_rigidity, 4, 3)};
+}
+
 /// Reads the bond in a slot. `Motion`: its columns, see BeamMotion; `Slot`: reads a number or a
 /// vector of a column. `has_shape`: of those that remember, whether one may have a shape of its
 /// own, by flow or since it was made anew; both normals are else those of one direction. `turned`:

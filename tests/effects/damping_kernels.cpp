@@ -72,7 +72,7 @@ TEST_P(DampedBondsKernel, takes_momentum_from_none_and_energy_as_the_law_says) {
     const double* a = rows.begin() + std::ptrdiff_t{8} * i;
     const double* b = rows.begin() + std::ptrdiff_t{8} * j;
     const auto action = bond_damping(
-        bond_dashpots(ratio, rigidity_in(m, slot), slot.number(m.rest_length),
+        bond_dashpots(ratio, rigidity_in<double>(m, slot), slot.number(m.rest_length),
                       BondInertia<double>{a[3] + b[3], m.has_rotation ? a[7] + b[7] : 1}),
         ends_in(m.pose, m, slot, i, j).chord,
         BondMotion<double>{

@@ -110,14 +110,6 @@ inline BondInertia<Pack> inertia_of(bool has_rotation, const Row& own, const Row
           has_rotation ? own.component[7] + other.component[7] : Pack(1.0)};
 }
 
-inline BeamRigidity<Pack> rigidity_of(const BeamMotion& m, const SlotPlace& slot) {
-  if (m.bond_rigidity == nullptr)
-    return {Pack(m.rigidity.axial), Pack(m.rigidity.bending), Pack(m.rigidity.shear),
-            Pack(m.rigidity.torsion)};
-  return {slot.number(m.bond_rigidity, 4, 0), slot.number(m.bond_rigidity, 4, 1),
-          slot.number(m.bond_rigidity, 4, 2), slot.number(m.bond_rigidity, 4, 3)};
-}
-
 /// What loads change of the motion of a pack of elements.
 inline void push_pack(const BeamMotion& m, std::size_t element, std::size_t at,
                       const PackVector& force, const PackVector& moment) {
@@ -166,10 +158,11 @@ void damp_bonds(const BeamMotion& m, const DampedBonds& d, std::size_t first, st
         PackVector chord = vector_of(Quad::gather<8>(m.pose, neighbours)) - centre(own);
         if (m.image_shift != nullptr) chord += load_vector(m.image_shift + slot.of(3));
         const Row motion = Row::gather(d.motion, neighbours);
-        const DashpotAction<Pack> action = bond_damping(
-            bond_dashpots(Pack(d.critical_ratio), rigidity_of(m, slot), slot.number(m.rest_length),
-                          inertia_of(m.has_rotation, own_motion, motion)),
-            chord, motion_of(own_motion, motion));
+        const DashpotAction<Pack> action =
+            bond_damping(bond_dashpots(Pack(d.critical_ratio), rigidity_in<Pack>(m, slot),
+                                       slot.number(m.rest_length),
+                                       inertia_of(m.has_rotation, own_motion, motion)),
+                         chord, motion_of(own_motion, motion));
         const Mask is_bond = greater(dot(chord, chord), Pack(0.0));
         force += select(is_bond, action.load.force, {});
         moment += select(is_bond, action.load.moment_i, {});
