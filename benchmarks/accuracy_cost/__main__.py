@@ -27,6 +27,7 @@ from benchmarks.accuracy_cost.results import Median, medians
 from benchmarks.accuracy_cost.runs import Bench, Omission, Run
 from benchmarks.accuracy_cost.study import Study, StudyError, read_study
 from compare.codes import all_codes
+from compare.provenance import commit
 from compare.result import CodeFailure
 
 HERE = Path(__file__).resolve().parent
@@ -49,10 +50,11 @@ def _run_row(run: Run, reading: str) -> dict[str, Any]:
         "reading": reading, "error": f"{run.error(reading):.6g}",
         "steps_seconds": f"{run.seconds:.6g}",
         "set_up_seconds": "" if run.set_up_seconds is None else f"{run.set_up_seconds:.6g}",
-        "packing_seconds": f"{run.packing_seconds:.4g}", "bonds": run.bonds, "steps": run.steps,
+        "packing_seconds": f"{run.packing_seconds:.4g}",
+        "program_seconds": f"{run.program_seconds:.6g}", "bonds": run.bonds, "steps": run.steps,
         "inner_steps": work.get("inner_steps", ""), "evaluations": work.get("evaluations", ""),
         "threads": said.get("threads", 1), "instruction_set": said.get("instruction_set", ""),
-        "precision": said.get("precision", "double"),
+        "precision": said.get("precision", "double"), "load": f"{run.load:.2f}",
         **{name: f"{error:.6g}" for name, error in run.errors[reading].items()}}
 
 
@@ -91,8 +93,9 @@ def _first_line(command: list[str]) -> str:
     return next(iter((done.stdout + done.stderr).strip().splitlines()), "does not say")
 
 
-def machine(bench: Bench, runs: list[Run], load: float) -> list[str]:
+def machine(bench: Bench, runs: list[Run]) -> list[str]:
     """Where and with what was measured."""
+    loads = sorted(run.load for run in runs)
     said = next((r.summary for r in runs if r.summary), {})
     hardware = said.get("hardware", {})
     codes = {run.labels.get("code", "standalone") for run in runs}
@@ -100,9 +103,10 @@ def machine(bench: Bench, runs: list[Run], load: float) -> list[str]:
         f"Machine: {hardware.get('processor', 'unknown processor')}, "
         f"{hardware.get('processors', '?')} processors, one of them used, "
         f"{hardware.get('memory_bytes', 0) / 2**30:.0f} GiB; {hardware.get('system', '')}; load "
-        f"before the first run {load:.1f}; instruction set {said.get('instruction_set', '?')}, "
+        f"before a run {loads[len(loads) // 2]:.1f} (median; {loads[0]:.1f} to {loads[-1]:.1f}; the run before it "
+        f"is 1 of it); instruction set {said.get('instruction_set', '?')}, "
         f"{said.get('precision', 'double')} precision.",
-        f"solidem {said.get('solidem', '?')} (program {bench.program})"]
+        f"solidem {said.get('solidem', '?')}, commit {commit()} (program {bench.program})"]
     if "yade" in codes:
         lines.append(f"YADE: {_first_line(['yade', '--version'])}")
     if "liggghts" in codes:
@@ -135,7 +139,6 @@ def main() -> int:
     output: Path = options.output.resolve()
     output.mkdir(parents=True, exist_ok=True)
     os.environ.update(OMP_NUM_THREADS="1", OMP_WAIT_POLICY="passive")
-    load = os.getloadavg()[0]
     try:
         studies = [read_study(path) for path in options.study]
         bench = Bench((options.scratch or output / "scratch").resolve(), all_codes(),
@@ -149,7 +152,7 @@ def main() -> int:
     known = bench.all_known(studies)
     write_tables(output, runs, points, omissions)
     write_references(output / "references.csv", known)
-    write_page(output, studies, points, omissions, machine(bench, runs, load), known)
+    write_page(output, studies, points, omissions, machine(bench, runs), known)
     print(f"{len(runs)} runs, {len(omissions)} gave nothing; {output / 'page.md'}")
     return 2 if not runs else 1 if omissions else 0
 

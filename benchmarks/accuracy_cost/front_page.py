@@ -30,8 +30,8 @@ STUDIES = Path(__file__).with_name("studies")
 LEVELS = (0.05, 0.01, 0.001)
 #: Columns of points.csv that are no labels of a point.
 MEASURED = {"study", "reading", "runs", "error", "least_error", "most_error", "seconds",
-            "least_seconds", "most_seconds", "set_up_seconds", "packing_seconds", "on_front",
-            "on_whole_front"}
+            "least_seconds", "most_seconds", "set_up_seconds", "packing_seconds", "program_seconds",
+            "on_front", "on_whole_front"}
 KINDS = {
     "heat": ("Heat", "against exact solutions"),
     "elastic": ("Elastic bodies", "as each study says"),
@@ -50,7 +50,8 @@ def median_of(row: dict[str, str]) -> Median:
     return Median(row["study"], row["reading"], labels, int(row["runs"]), int(row["elements"]),
                   float(row["error"]), float(row["least_error"]), float(row["most_error"]),
                   float(row["seconds"]), float(row["least_seconds"]), float(row["most_seconds"]),
-                  float(set_up) if set_up else None, float(row["packing_seconds"]))
+                  float(set_up) if set_up else None, float(row["packing_seconds"]),
+                  float(row.get("program_seconds") or 0))
 
 
 def points_in_docs() -> dict[tuple[str, str], list[Median]]:

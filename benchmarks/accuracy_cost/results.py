@@ -33,6 +33,7 @@ class Median:
     most_seconds: float
     set_up_seconds: float | None
     packing_seconds: float
+    program_seconds: float = 0.0  #: of the code from its start to its end
     on_front: bool = False  #: no other point of the reading is both as fast and as accurate
     on_whole_front: bool = False  #: the same with the set-up counted, among points that tell it
 
@@ -89,7 +90,8 @@ def _median(runs: list[Run], reading: str) -> Median:
         statistics.median(error), min(error), max(error),
         statistics.median(seconds), min(seconds), max(seconds),
         statistics.median(set_up) if set_up else None,
-        statistics.median(run.packing_seconds for run in runs))
+        statistics.median(run.packing_seconds for run in runs),
+        statistics.median(run.program_seconds for run in runs))
 
 
 def medians(runs: list[Run]) -> list[Median]:

@@ -50,6 +50,8 @@ class Run:
     packing_seconds: float  #: of the specimen and of finding its bonds, made once and shared
     errors: dict[str, dict[str, float]]  #: reading -> name -> relative error
     summary: dict[str, Any] = field(default_factory=dict)  #: what the program said of itself
+    program_seconds: float = 0.0  #: of the code from its start to its end, packing and calibration apart
+    load: float = 0.0  #: of the machine before it
 
     def error(self, reading: str) -> float:
         """The largest error of a reading."""
@@ -226,8 +228,11 @@ class Bench:
         job = self._job(study, point, scene, specimen, text)
         before = {name: os.environ.get(name) for name in point.environment}
         os.environ.update(point.environment)
+        load = os.getloadavg()[0]
         try:
+            start = time.perf_counter()
             result = code.run(job, self._work / point.code).check()
+            program_seconds = time.perf_counter() - start
         finally:
             for name, value in before.items():
                 os.environ.pop(name) if value is None else os.environ.update({name: value})
@@ -240,7 +245,8 @@ class Bench:
         if point.code == "statics":  # which takes no steps; writing counts nowhere
             seconds = sum(summary["wall_seconds"].get(part, 0) for part in ("equilibrium", "modes"))
         return Run(study.name, point.labels, repetition, order, result.elements, result.bonds,
-                   result.steps, seconds, set_up, packing + calibrating, found, summary)
+                   result.steps, seconds, set_up, packing + calibrating, found, summary,
+                   program_seconds, load)
 
     def _write_scene(self, text: str, specimen: Path, timeout: float) -> Path:
         """The scene as codes get it: its specimen a file, its time step a number."""
