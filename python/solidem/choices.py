@@ -17,6 +17,7 @@ LAWS = ("voronoi", "platonic-calibrated", "platonic")  #: of conduction, the mos
 PAYS = 0.95  #: of the time, or less: then a choice that errs is worth making
 EVERY = (300, 100, 30, 10, 3)  #: steps of motion from one of heat to the next
 GROWTH = 8.0  #: how many times the pilot's elements the integrator of heat is chosen for
+TEARS = {"rupture", "damage"}  #: sections of scenes whose elements may part
 HEAT_STEPS = ("run.time_step", "run.time_step_ratio")
 
 
@@ -79,7 +80,8 @@ class Chooser:
                                     f"{own.duration:g} s, so that finer bodies do the same")
         if "conduction" in self.tables:
             own = self._law(own)
-            own = self._surfaces(own)
+            own = self._walls(own)
+        own = self._readings(own)
         if self.kind == "heat":
             self._heat(own)
         else:
@@ -107,9 +109,9 @@ class Chooser:
                 "and what the law itself errs by is no error of fineness")
         return own
 
-    def _surfaces(self, own: Pilot) -> Pilot:
-        """Walls that are held in place of layers, and temperatures read between elements: what finer
-        bodies tend to is the same, and they need not be as fine for it."""
+    def _walls(self, own: Pilot) -> Pilot:
+        """Walls that are held in place of layers: what finer bodies tend to is the same, and they need not
+        be as fine for it."""
         if self.found.law != "voronoi":
             return own
         for table in self.tables.get("temperatures", []):
@@ -118,18 +120,26 @@ class Chooser:
                 continue
             wall = f"{region['axis']}_{region['side']}"
             changes = {f"temperatures.{name}.region": None, f"temperatures.{name}.wall": wall}
-            own = self._surface(own, changes, f"temperature {name}", f"wall {wall}",
-                                f"{region['layers']} layers of elements",
-                                "layers are as thick as elements")
-        for table in self.tables.get("sensors", []):
-            if table.get("quantity") == "temperature" and table.get("sampling") != "fit":
-                own = self._surface(own, {f"sensors.{table['name']}.sampling": "fit"},
-                                    f"sensor {table['name']}", "fit", "nearest element",
-                                    "the nearest element is up to a radius away")
+            own = self._adopt(own, changes, f"temperature {name}", f"wall {wall}",
+                              f"{region['layers']} layers of elements", "layers are as thick as elements")
         return own
 
-    def _surface(self, own: Pilot, changes: dict[str, Any], choice: str, taken: str, instead: str,
-                 why: str) -> Pilot:
+    def _readings(self, own: Pilot) -> Pilot:
+        """The sensor that is asked for reads between elements, for the nearest is somewhere else in each
+        packing: temperatures where cells tell them, motion of what beams hold together."""
+        holds = "beams" in self.tables and not TEARS & set(self.tables)
+        for table in self.tables.get("sensors", []):
+            allowed = self.found.law == "voronoi" if table.get("quantity") == "temperature" else holds
+            asked = self.pilots.of.startswith(f"sensor.{table.get('name')}.")
+            if not (asked and allowed) or table.get("sampling") == "fit":
+                continue
+            own = self._adopt(own, {f"sensors.{table['name']}.sampling": "fit"}, f"sensor {table['name']}",
+                              "fit", "nearest element", "the nearest element is up to a radius away")
+        return own
+
+    def _adopt(self, own: Pilot, changes: dict[str, Any], choice: str, taken: str, instead: str,
+               why: str) -> Pilot:
+        """These changes, where the scene allows them."""
         other = self._try(**changes)
         if other is None:
             return own

@@ -18,6 +18,7 @@
 #include "effects/grip_parameters.hpp"
 #include "effects/turning_grip.hpp"
 #include "engine/heat_at_rest.hpp"
+#include "engine/sensors.hpp"
 #include "keys/nearest_name.hpp"
 #include "laws/rigid_sphere.hpp"
 #include "model/error.hpp"
@@ -358,11 +359,12 @@ Json solve_that(const Scene& scene, const SolveCommand& command) {
          action.displacement.y, action.displacement.z);
   }
   for (const Sensor& sensor : scene.setup.sensors) {
-    const auto e = static_cast<std::size_t>(nearest_element(
-        body.specimen, elements_of_the_body(count_bonds(body.specimen)), sensor.point));
+    const std::vector<ElementValue> weights = sampling_weights(
+        body.specimen, elements_of_the_body(count_bonds(body.specimen)), sensor);
+    const Vector displacement = sampled_displacement(weights, equilibrium.displacement);
     summary["sensors"][sensor.name] = {
-        {"position", json_of(body.specimen.position[e] + equilibrium.displacement[e])},
-        {"displacement", json_of(equilibrium.displacement[e])}};
+        {"position", json_of(resting_place(body.specimen, weights, sensor) + displacement)},
+        {"displacement", json_of(displacement)}};
   }
   for (const Mode& mode : modes) {
     summary["frequencies"].push_back(mode.frequency);

@@ -37,8 +37,9 @@ void check_point(const Sensor& sensor, const Specimen& specimen) {
 
 /// Weights of some elements round a point whose weighted sum of values is the value there of a
 /// linear function fitted to them (least squares, nearer elements count more).
-std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
-                                      const Specimen& specimen, const Vector& point) {
+std::vector<ElementValue> fit_weights(const Specimen& specimen,
+                                      const std::vector<std::int32_t>& elements,
+                                      const Vector& point) {
   constexpr std::size_t enough = 12;
   std::vector<ElementValue> round;
   double reach = 3 * mean_radius(specimen);  // a wider ball sees more of a field's curvature
@@ -66,7 +67,36 @@ std::vector<ElementValue> fit_weights(const std::vector<std::int32_t>& elements,
   return round;
 }
 
+/// Weighted sum of a vector of elements.
+template <class Of>
+Vector weighted(const std::vector<ElementValue>& weights, const Of& of) {
+  Vector sum{0, 0, 0};
+  for (const ElementValue& weight : weights)
+    sum = sum + weight.value * of(static_cast<std::size_t>(weight.element));
+  return sum;
+}
+
 }  // namespace
+
+std::vector<ElementValue> sampling_weights(const Specimen& specimen,
+                                           const std::vector<std::int32_t>& elements,
+                                           const Sensor& sensor) {
+  if (sensor.sampling == Sensor::Sampling::fit)
+    return fit_weights(specimen, elements, sensor.point);
+  return {{nearest_element(specimen, elements, sensor.point), 1}};
+}
+
+Vector sampled_displacement(const std::vector<ElementValue>& weights,
+                            const std::vector<Vector>& displacement) {
+  return weighted(weights, [&](std::size_t i) { return displacement[i]; });
+}
+
+Vector resting_place(const Specimen& specimen, const std::vector<ElementValue>& weights,
+                     const Sensor& sensor) {
+  return sensor.sampling == Sensor::Sampling::fit
+             ? sensor.point
+             : specimen.position[static_cast<std::size_t>(weights.front().element)];
+}
 
 PointSensor::PointSensor(const Sensor& sensor, const Model& model, bool elements_touch)
     : sensor_(sensor) {
@@ -78,16 +108,16 @@ PointSensor::PointSensor(const Sensor& sensor, const Model& model, bool elements
   const std::vector<std::int32_t> elements =
       elements_touch && !thermal ? elements_of_the_body(std::vector<int>(specimen.size(), 0))
                                  : elements_of_the_body(joined.coordination());
-  element_ = nearest_element(specimen, elements, sensor.point);
-  if (!thermal) return;
-  if (sensor.sampling == Sensor::Sampling::fit)
-    weights_ = fit_weights(elements, specimen, sensor.point);
-  else
-    weights_ = {{element_, 1}};
+  weights_ = sampling_weights(specimen, elements, sensor);
+}
+
+std::vector<std::int32_t> PointSensor::elements() const {
+  std::vector<std::int32_t> found;
+  for (const ElementValue& weight : weights_) found.push_back(weight.element);
+  return found;
 }
 
 void PointSensor::observe(const Model& model, Observation& observation) const {
-  const auto i = static_cast<std::size_t>(element_);
   const std::string name = "sensor." + sensor_.name + ".";
   const auto add = [&](const std::string& quantity, const Vector& v) {
     observation.add(name + quantity + "_x", v.x);
@@ -101,14 +131,18 @@ void PointSensor::observe(const Model& model, Observation& observation) const {
     observation.add(name + "temperature", temperature);
     return;
   }
-  const double* place = model.positions()[i];
-  const Vector position{place[0], place[1], place[2]};
+  const std::vector<Vector>& rest = model.specimen().position;
+  const Vector displacement = weighted(weights_, [&](std::size_t i) {
+    const double* place = model.positions()[i];
+    return Vector{place[0], place[1], place[2]} - rest[i];
+  });
   if (sensor_.quantity == Sensor::Quantity::position)
-    add("position", position);
+    add("position", resting_place(model.specimen(), weights_, sensor_) + displacement);
   else if (sensor_.quantity == Sensor::Quantity::displacement)
-    add("displacement", position - model.specimen().position[i]);
+    add("displacement", displacement);
   else
-    add("velocity", observation.motion.velocity[i]);
+    add("velocity",
+        weighted(weights_, [&](std::size_t i) { return observation.motion.velocity[i]; }));
 }
 
 }  // namespace solidem

@@ -175,7 +175,7 @@ void Simulation::add_observers() {
   for (const Sensor& sensor : setup_.sensors) {
     auto point =
         std::make_unique<PointSensor>(sensor, model_, setup_.get<ContactParameters>().has_value());
-    selections_["sensor." + sensor.name] = {point->element()};
+    selections_["sensor." + sensor.name] = point->elements();
     observers_.push_back(std::move(point));
   }
 }

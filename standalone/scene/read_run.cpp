@@ -30,8 +30,6 @@ Rule sensors_section(std::vector<Sensor>& sensors, NamedEffects effects) {
     if (is_thermal ? !effects.heat : !effects.motion)
       section.refuse("quantity", is_thermal ? "nothing conducts heat" : "nothing moves",
                      sections_that_provide({is_thermal ? Provides::heat : Provides::motion}));
-    if (!is_thermal && sensor.sampling == Sampling::fit)
-      section.refuse("sampling", "of temperatures only", "\"nearest\"");
     sensors.push_back(sensor);
   });
 }

@@ -120,6 +120,18 @@ velocity = ["1 m/s", "0 m/s", "0 m/s"]
     assert "left out" in text
 
 
+def test_a_fitted_sensor_reads_between_elements(solidem):
+    """A row that is pulled moves as the distance from its clamp, between its centres as well."""
+    pulled = (CANTILEVER.replace('["free", { time = ["0 us", "1 us"], value = ["0 N", "1 mN"] }, "free"]',
+                                 '[{ time = ["0 us", "1 us"], value = ["0 N", "1 mN"] }, "free", "free"]')
+              .replace('point = ["8.1 mm"', 'sampling = "fit"\npoint = ["5.17 mm"'))
+    summary, _ = solve(solidem, pulled)
+    tip = summary["sensors"]["tip"]
+    moved = FORCE * (5.17e-3 - 0.1e-3) / (MODULUS * math.pi * RADIUS**2)
+    assert np.allclose(tip["displacement"], [moved, 0, 0], rtol=1e-6, atol=1e-9 * moved)
+    assert np.allclose(tip["position"], [5.17e-3 + moved, 0.1e-3, 0.1e-3], rtol=1e-12)
+
+
 WARM = """\
 density = "2790 kg/m^3"
 specific_heat_capacity = "880 J/(kg K)"

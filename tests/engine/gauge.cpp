@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "effects/beam_parameters.hpp"
 #include "model/error.hpp"
+#include "model/region.hpp"
+#include "specimen/bonds.hpp"
 #include "support/beams.hpp"
 #include "support/specimens.hpp"
 
@@ -110,6 +113,46 @@ TEST(Sensors, far_from_the_body_are_refused) {
   EXPECT_THROW(Simulation(setup, block()), InputError);
   setup.sensors[0].point = {-2e-4, 0, 0};
   EXPECT_NO_THROW(Simulation(setup, block()));
+}
+
+TEST(Sensors, fitted_see_a_linear_field_at_their_point_and_the_nearest_that_of_its_element) {
+  const Specimen specimen = block();
+  auto setup = with_central_forces(1.2);
+  const Vector point{15.7e-4, 4.4e-4, 1.3e-4};  // on no element's centre, near a face
+  const auto add = [&](const char* name, Sensor::Quantity quantity, Sensor::Sampling sampling) {
+    setup.sensors.push_back({name, point, quantity, sampling});
+  };
+  add("moved", Sensor::Quantity::displacement, Sensor::Sampling::fit);
+  add("place", Sensor::Quantity::position, Sensor::Sampling::fit);
+  add("speed", Sensor::Quantity::velocity, Sensor::Sampling::fit);
+  add("near", Sensor::Quantity::displacement, Sensor::Sampling::nearest);
+  Simulation simulation(setup, specimen);
+  Model& model = simulation.model();
+  const auto field = [](const Vector& p) {
+    return std::array{2e-6 + 0.01 * p.x - 0.02 * p.y, 0.03 * p.z, -0.005 * p.x + 0.001 * p.y};
+  };
+  for (std::size_t i = 0; i < model.elements(); ++i) {
+    const std::array<double, 3> moved = field(specimen.position[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      model.positions()[i][axis] += moved[axis];
+      model.data(columns::velocity)[Model::at(columns::velocity, i, static_cast<int>(axis))] =
+          1e3 * moved[axis];
+    }
+  }
+  const HistoryRow row = simulation.observe();
+  const std::array at = {point.x, point.y, point.z};
+  const std::array<double, 3> here = field(point);
+  const std::array<double, 3> there = field(specimen.position[static_cast<std::size_t>(
+      nearest_element(specimen, elements_of_the_body(count_bonds(specimen)), point))]);
+  constexpr std::array axes{"_x", "_y", "_z"};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string name = axes[axis];
+    EXPECT_NEAR(value_of(row, "sensor.moved.displacement" + name), here[axis], 1e-18) << name;
+    EXPECT_NEAR(value_of(row, "sensor.place.position" + name), at[axis] + here[axis], 1e-17);
+    EXPECT_NEAR(value_of(row, "sensor.speed.velocity" + name), 1e3 * here[axis], 1e-14) << name;
+    EXPECT_NEAR(value_of(row, "sensor.near.displacement" + name), there[axis], 1e-18) << name;
+    EXPECT_GT(std::abs(there[axis] - here[axis]), 0.05 * std::abs(here[axis])) << name;
+  }
 }
 
 TEST(Sensors, follow_the_body_and_no_element_that_hangs_on_no_bond) {
