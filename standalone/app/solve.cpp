@@ -359,8 +359,8 @@ Json solve_that(const Scene& scene, const SolveCommand& command) {
          action.displacement.y, action.displacement.z);
   }
   for (const Sensor& sensor : scene.setup.sensors) {
-    const std::vector<ElementValue> weights = sampling_weights(
-        body.specimen, elements_of_the_body(count_bonds(body.specimen)), sensor);
+    const std::vector<ElementValue> weights =
+        sampling_weights(body.specimen, elements_of_the_body(count_bonds(body.specimen)), sensor);
     const Vector displacement = sampled_displacement(weights, equilibrium.displacement);
     summary["sensors"][sensor.name] = {
         {"position", json_of(resting_place(body.specimen, weights, sensor) + displacement)},
