@@ -132,8 +132,8 @@ def _codes(kinds: dict[str, list[Measured]]) -> list[str]:
             "two): time of the steps over solidem's, time of the whole program over that of solidem's (from "
             "its start to its end: reading, setting up, stepping, writing; packing and calibration, which all "
             "codes share, apart), and the run of solidem that takes least time of those with as many elements, "
-            "the same law and an error as small, whatever its other settings. Made by `python3 -m benchmarks.accuracy_cost.front_page` from the points of the "
-            "studies.", "", *rows]
+            "the same law and an error as small, whatever its other settings. Made by `python3 -m "
+            "benchmarks.accuracy_cost.front_page` from the points of the studies.", "", *rows]
 
 
 def text_of(kinds: dict[str, list[Measured]]) -> str:

@@ -190,11 +190,11 @@ def codes(studies: Sequence[Measured]) -> list[str]:
                 continue
             beaten = any(_alike(m, other, ("step", "speed", "method", "integrator"))
                          and other.seconds < m.seconds and other.error <= ALIKE * m.error for other in points)
-            same = [other for other in own(points) if _alike(m, other, ("code", "threads"))]
+            twins = [other for other in own(points) if _alike(m, other, ("code", "threads"))]
             as_good = cheapest([other for other in own(points) if (other.elements, other.labels["law"])
                                 == (m.elements, m.labels["law"])], ALIKE * m.error, lambda point: point.seconds)
-            if not beaten and same and as_good is not None:
-                rows.append((study, m, same[0], as_good))
+            if not beaten and twins and as_good is not None:
+                rows.append((study, m, twins[0], as_good))
     if not rows:
         return []
     lines = ["| | code | of | error | its steps | over solidem's | whole program over solidem's | as good in "
