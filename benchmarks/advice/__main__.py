@@ -27,8 +27,8 @@ sys.path.insert(0, os.environ.get("SOLIDEM_PYTHON", str(ROOT / "build" / "releas
 import numpy as np  # noqa: E402
 from solidem import Scene  # noqa: E402
 from solidem.advise import advise, share  # noqa: E402
-from solidem.converge import Level  # noqa: E402
 from solidem.foretold import LIKELY, ErrorModel  # noqa: E402
+from solidem.level import Level  # noqa: E402
 from solidem.pilots import Pilots  # noqa: E402
 from solidem.proposal import Advice, Proposal  # noqa: E402
 from solidem.refinement import refinement_of  # noqa: E402

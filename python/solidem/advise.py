@@ -21,8 +21,8 @@ import numpy as np
 from ._core import InputError, RunError
 from .advice_text import json_of, text_of, verdict_of
 from .choices import Choices, Chooser
-from .converge import Level
 from .foretold import Cost, ErrorModel, Errors, exponent_of
+from .level import Level
 from .pilots import Pilot, Pilots, mean_cost
 from .proposal import Advice, Proposal, write_scene
 from .refinement import Refinement, refinement_of

@@ -2,6 +2,10 @@
 """Richardson extrapolation of any scene: what a figure tends to as bodies or steps are refined, at which
 order, how far each run is from it, and what each costs.
 
+Of bodies of several packings the limit is that of all orders which the runs and the studies of such scenes
+leave possible, as in `solidem advise` (foretold.py); of steps, which do not scatter, that of the order which
+fits best.
+
     solidem converge tension.toml --of gauge.stress --elements 500,1000,2000 --seeds 3
     solidem converge tension.toml --of gauge.stress --key run.time_step_ratio --values 0.8,0.4,0.2
 """
@@ -19,34 +23,19 @@ from pathlib import Path
 from typing import NamedTuple, Sequence
 
 import numpy as np
-import numpy.typing as npt
 
 from ._core import InputError, RunError
+from .foretold import ErrorModel
+from .level import Floats, Level
 from .results import Results
 from .scene import Scene, Source
-
-Floats = npt.NDArray[np.float64]
+from .studies import Study, kind_of, study_of
 
 ORDERS = np.arange(0.5, 4.001, 0.01)  #: that are tried
 USUAL_ORDER = 1.0  #: of packings, whose surfaces err by their share of the body
 WIDEST = 2.0  #: interval of an order that still tells something
 DRAWS = 2000  #: of means, from which the interval comes
 ELEMENTS, SEED = "specimen.elements", "specimen.seed"
-
-
-@dataclass(frozen=True)
-class Level:
-    """What runs of one refinement gave."""
-
-    value: float  #: of the key that is refined
-    size: float  #: h: of an element or a step, in any unit
-    figures: Floats  #: of each specimen
-    seconds: float  #: of one run, mean over the specimens
-
-    @property
-    def mean(self) -> float:
-        """Over the specimens."""
-        return float(self.figures.mean())
 
 
 @dataclass(frozen=True)
@@ -61,7 +50,8 @@ class Convergence:
     order: float  #: p
     interval: tuple[float, float]  #: of Q_0, in which it lies with a probability of 95 %
     order_interval: tuple[float, float] | None  #: of p, likewise; None: p was taken, not found
-    scatter: float  #: standard deviation over specimens of one level; 0: one specimen only
+    scatter: float  #: standard deviation over specimens, of the coarsest level; 0: one specimen only
+    strays: int = 0  #: figures far from all others, left out
 
     def error(self, level: Level) -> float:
         """How far the mean of a level is from the limit, as a share of it."""
@@ -81,6 +71,8 @@ class Convergence:
         else:
             rows.append(f"order {self.order:.2f}, between {self.order_interval[0]:.2f} and "
                         f"{self.order_interval[1]:.2f}")
+        if self.strays:
+            rows.append(f"left out: {self.strays} of the figures, far from all others")
         if self.scatter and self.interval[1] - self.interval[0] > abs(
                 self.levels[0].mean - self.levels[-1].mean):
             rows.append("specimens differ more than refinements: take more seeds, or levels farther "
@@ -108,14 +100,31 @@ def fits(sizes: Floats, means: Floats, weights: Floats,
     return limit, constant, best_order
 
 
-def extrapolated(of: str, key: str, levels: Sequence[Level],
-                 order: float | None = None) -> Convergence:
-    """The limit of two levels or more. The order is sought where there are three, unless it is given
-    or the runs do not tell it; its uncertainty and that of the means, from the scatter of specimens,
-    make the interval. Without scatter the interval is as far as the finest level is from the limit."""
+def of_packings(of: str, levels: Sequence[Level], study: Study | None) -> Convergence:
+    """The limit of bodies, from all orders that are possible: its mean, and that of the order."""
+    scale = abs(levels[-1].mean) or max(abs(level.mean) for level in levels)
+    model = ErrorModel(levels, scale or 1.0, study)
+    limit, low, high = model.limit
+    order, least, most = model.order
+    sizes = np.array([level.size for level in levels]) / levels[0].size
+    weights = np.array([len(level.figures) for level in levels]) * sizes**order
+    off = np.array([level.mean for level in model.levels]) - limit
+    constant = float(weights @ off / (weights @ sizes**order))
+    return Convergence(of, ELEMENTS, list(levels), limit, constant, order, (low, high), (least, most),
+                       model.scatter(levels[0].value) * model.scale, model.strays)
+
+
+def extrapolated(of: str, key: str, levels: Sequence[Level], order: float | None = None,
+                 study: Study | None = None) -> Convergence:
+    """The limit of two levels or more. Of bodies of several packings all orders count, as the runs and
+    `study` leave them likely. Else the order is sought where there are three levels, unless it is given or
+    the runs do not tell it; its uncertainty and that of the means, from the scatter of specimens, make the
+    interval. Without scatter the interval is as far as the finest level is from the limit."""
     if len(levels) < 2:
         raise InputError("one refinement tells no limit; expected two or more")
     levels = sorted(levels, key=lambda level: -level.size)
+    if key == ELEMENTS and order is None and any(len(level.figures) > 1 for level in levels):
+        return of_packings(of, levels, study)
     sizes = np.array([level.size for level in levels]) / levels[0].size
     means = np.array([level.mean for level in levels])
     counts = np.array([len(level.figures) for level in levels])
@@ -206,7 +215,8 @@ def converge(source: Source | Scene, of: str, *, values: Sequence[float], key: s
             seconds.append(sum(results.summary["wall_seconds"].values()))
         size = float(value)**(-1 / 3) if key == ELEMENTS else float(value)
         levels.append(Level(float(value), size, np.array(figures), float(np.mean(seconds))))
-    return extrapolated(of, key, levels, order)
+    law = scene.tables.get("conduction", {}).get("law", "platonic")
+    return extrapolated(of, key, levels, order, study_of(kind_of(scene.tables), law))
 
 
 def write(found: Convergence, folder: Path) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._core import InputError
-from .converge import Level
+from .level import Level
 from .posterior import ORDERS, Posterior, scatter_of, without_strays
 from .studies import Study
 

@@ -10,8 +10,9 @@ from typing import Any, Mapping
 import numpy as np
 
 from ._core import InputError
-from .converge import Level, Taken, figure_of, ran
+from .converge import Taken, figure_of, ran
 from .foretold import Cost
+from .level import Level
 from .refinement import Refinement
 from .results import Results
 from .scene import Scene

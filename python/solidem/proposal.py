@@ -10,8 +10,8 @@ from typing import Any
 
 from ._core import InputError
 from .choices import Choices
-from .converge import Level
 from .foretold import Cost, ErrorModel, Errors
+from .level import Level
 from .refinement import refinement_of
 from .scene import Scene
 from .scene_edit import edited

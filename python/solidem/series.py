@@ -9,8 +9,8 @@ from typing import Any, Sequence
 
 import numpy as np
 
-from .converge import Level
 from .foretold import LIKELY, Cost, ErrorModel
+from .level import Level
 from .pilots import Pilot, Pilots
 
 MORE = 0.3  #: share of the packings of a level that are thought of as more of them at once

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from .converge import Level
 from .foretold import ErrorModel
+from .level import Level
 from .pilots import Pilots, mean_cost
 from .proposal import Advice, Proposal, scene_text
 from .refinement import Refinement, refinement_of

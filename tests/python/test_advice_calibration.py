@@ -14,8 +14,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, os.environ.get("SOLIDEM_PYTHON", str(ROOT / "build" / "release" / "python")))
-from solidem.converge import Level  # noqa: E402
 from solidem.foretold import LIKELY, Cost, ErrorModel  # noqa: E402
+from solidem.level import Level  # noqa: E402
 from solidem.posterior import scatter_of, without_strays  # noqa: E402
 from solidem.series import parts_of, series_for  # noqa: E402
 from solidem.studies import Study, study_of  # noqa: E402

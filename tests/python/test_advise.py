@@ -19,8 +19,8 @@ PROGRAM = os.environ.get("SOLIDEM_PROGRAM", str(ROOT / "build" / "release" / "so
 sys.path.insert(0, PACKAGES)
 from solidem import InputError, Scene  # noqa: E402
 from solidem.advise import advise, main, share  # noqa: E402
-from solidem.converge import Level  # noqa: E402
 from solidem.foretold import Cost, ErrorModel, exponent_of  # noqa: E402
+from solidem.level import Level  # noqa: E402
 from solidem.proposal import scene_text  # noqa: E402
 from solidem.refinement import refinement_of  # noqa: E402
 from solidem.scene_edit import edited  # noqa: E402
