@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What each effect costs: one scene, its effects switched on one by one, for beams and for central forces.
 
-    /usr/bin/python3 -m benchmarks.effects [--elements N] [--steps N] [--rounds N] [--liggghts]
+    /usr/bin/python3 -m benchmarks.effects [--elements N] [--steps N] [--rounds N] [--liggghts] [--liggghts-steps N]
 
 Time is that of the processor, of a long run less that of a short one, so that reading and writing do
 not count; effects are run in turn, medians over the rounds of the ratio to the base of the same round.
@@ -115,6 +115,7 @@ def main() -> int:
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("bases", nargs="*", metavar="BASE", help=", ".join(BASES) + "; all if none is named")
     parser.add_argument("--liggghts", action="store_true", help="in LIGGGHTS as well")
+    parser.add_argument("--liggghts-steps", type=int, help="steps there (default: a tenth of those of solidem)")
     parser.add_argument("--folder", type=Path, default=ROOT / "results" / "effects")
     given = parser.parse_args()
     if unknown := [name for name in given.bases if name not in BASES]:
@@ -127,7 +128,8 @@ def main() -> int:
     for name in given.bases or BASES:
         found = measured(name, given.steps, given.rounds, given.folder)
         if given.liggghts:
-            found += in_liggghts(name, max(1, given.steps // 10), given.rounds, given.folder.resolve())
+            found += in_liggghts(name, given.liggghts_steps or max(1, given.steps // 10), given.rounds,
+                                 given.folder.resolve())
         rows += found
         print(*map(told, found), sep="\n", flush=True)
     with (given.folder / "effects.csv").open("w", newline="", encoding="utf-8") as file:

@@ -3,6 +3,7 @@
 // What observers see of beams.
 #include "effects/beams.hpp"
 #include "effects/bond_slot.hpp"
+#include "effects/kernels/kernels.hpp"
 #include "model/blocks.hpp"
 #include "model/lane_vectors.hpp"
 
@@ -25,12 +26,33 @@ BondEffort Beams::effort(const BeamMotion& m, std::int32_t i, std::int32_t j, st
 }
 
 void Beams::for_each_pair(const Model& model, const PairVisit& visit) const {
-  const BeamMotion columns_now = columns_of(model);
-  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (i > j) return;
-    const BeamLoad<double> load = effort(columns_now, i, j, row, lane).load;
-    visit({i, j, rest_chord(model.specimen(), {i, j}), load.force, load.moment_i});
-  });
+  const BeamMotion m = columns_of(model);
+  const Slots& slots = model.slots();
+  Buffer<double> load;  // of the slots of a block
+  std::vector<std::uint32_t> left;
+  for (std::size_t block = 0; block < slots.blocks(); ++block) {
+    const std::size_t first_row = m.first_row[block];
+    load.assign(6 * lanes * (m.first_row[block + 1] - first_row));
+    left.clear();
+    kernels().find_beam_efforts(m, {nullptr, nullptr, nullptr, load.data(), &left}, block,
+                                block + 1);
+    const auto place_of = [&](std::size_t row, int lane) {
+      return load.data() + 6 * lanes * (row - first_row) + static_cast<std::size_t>(lane);
+    };
+    for (const std::uint32_t slot : left) {
+      const auto [row, lane] = Slots::place_of(slot);
+      const auto i = static_cast<std::int32_t>(block * lanes) + lane;
+      const BeamLoad<double> one = effort(m, i, m.neighbour[slot], row, lane).load;
+      set_lanes_vector(place_of(row, lane), 0, one.force);
+      set_lanes_vector(place_of(row, lane), std::size_t{3} * lanes, one.moment_i);
+    }
+    slots.for_each_in(block, [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+      if (i > j) return;
+      const double* at = place_of(row, lane);
+      visit({i, j, rest_chord(model.specimen(), {i, j}), lanes_vector(at, 0),
+             lanes_vector(at, std::size_t{3} * lanes)});
+    });
+  }
 }
 
 void Beams::observe(const Model& model, Observation& observation) const {
@@ -40,16 +62,28 @@ void Beams::observe(const Model& model, Observation& observation) const {
   motion.moment.assign(count, {});
   std::vector<double> energy(blocks, 0.0), work(blocks, 0.0);
   const BeamMotion columns_now = columns_of(model);
+  Buffer<double> forces(3 * count), moments(3 * count), energies(count);
   for_blocks(blocks, least_blocks_observed, [&](std::size_t first, std::size_t last) {
-    for (std::size_t block = first; block < last; ++block)
-      model.slots().for_each_in(block,
-                                [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-                                  const BondEffort b = effort(columns_now, i, j, row, lane);
-                                  motion.force[static_cast<std::size_t>(i)] += b.load.force;
-                                  motion.moment[static_cast<std::size_t>(i)] += b.load.moment_i;
-                                  energy[block] += 0.5 * b.energy;
-                                  work[block] += 0.5 * b.plastic_work;
-                                });
+    std::vector<std::uint32_t> left;
+    kernels().find_beam_efforts(columns_now,
+                                {forces.begin(), moments.begin(), energies.begin(), nullptr, &left},
+                                first, last);
+    for (std::size_t i = first * lanes; i < last * lanes; ++i) {
+      const std::size_t at = Model::at(columns::velocity, i);
+      motion.force[i] = lanes_vector(forces.begin(), at);
+      motion.moment[i] = lanes_vector(moments.begin(), at);
+      energy[i / lanes] += energies[i];
+    }
+    for (const std::uint32_t slot : left) {
+      const auto [row, lane] = Slots::place_of(slot);
+      const std::int32_t i = model.slots().element_of({row, lane});
+      const BondEffort b = effort(columns_now, i, columns_now.neighbour[slot], row, lane);
+      const auto element = static_cast<std::size_t>(i);
+      motion.force[element] += b.load.force;
+      motion.moment[element] += b.load.moment_i;
+      energy[element / lanes] += 0.5 * b.energy;
+      work[element / lanes] += 0.5 * b.plastic_work;
+    }
   });
   double elastic = 0;
   for (const double part : energy) elastic += part;

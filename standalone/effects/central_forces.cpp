@@ -199,7 +199,7 @@ void CentralForces::find_crack_faces(double threshold) {
 std::vector<int> CentralForces::neighbours_within_range() const {
   std::vector<int> count(model_.elements(), 0);
   model_.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (acting(model_, i, j, row, lane)) ++count[static_cast<std::size_t>(i)];
+    if (chord_in(model_, i, j, row, lane)) ++count[static_cast<std::size_t>(i)];
   });
   return count;
 }
@@ -236,61 +236,40 @@ double CentralForces::longest_time_step(double squared_frequency) const {
   return (std::sqrt(drag * drag + 4 * squared) - drag) / squared;
 }
 
-std::optional<CentralForces::Acting> CentralForces::acting(const Model& model, std::int32_t i,
-                                                           std::int32_t j, std::size_t row,
-                                                           int lane) const {
+std::optional<Vector> CentralForces::chord_in(const Model& model, std::int32_t i, std::int32_t j,
+                                              std::size_t row, int lane) const {
   const double* row_i = model.positions()[static_cast<std::size_t>(i)];
   const double* row_j = model.positions()[static_cast<std::size_t>(j)];
-  Acting pair{};
-  pair.chord = row_vector(row_j) - row_vector(row_i);
+  Vector chord = row_vector(row_j) - row_vector(row_i);
   if (model.has(columns::image_shift))
-    pair.chord += lanes_vector(model.data(columns::image_shift),
-                               Model::at_slot(columns::image_shift, row, lane));
-  pair.distance = norm(pair.chord);
-  const double range = row_i[3] + row_j[3];
-  if (!(pair.distance < range) || !(pair.distance > 0)) return std::nullopt;
-  pair.equilibrium =
-      model.has(columns::rest_length)
-          ? model.data(columns::rest_length)[Model::at_slot(columns::rest_length, row, lane)]
-          : range / parameters_.range;
-  std::visit(
-      [&](const auto& law) {
-        pair.push =
-            central_force(law, parameters_.interpenetration, pair.distance, pair.equilibrium).force;
-        pair.potential = central_potential(law, parameters_.interpenetration, range, pair.distance,
-                                           pair.equilibrium);
-        if (!model.has(columns::barycentre)) return;
-        const double* barycentre = model.data(columns::barycentre);
-        if (pair.push >= 0 ||
-            !on_opposite_faces(row_vector(barycentre + std::ptrdiff_t{4} * i),
-                               row_vector(barycentre + std::ptrdiff_t{4} * j), pair.chord))
-          return;
-        pair.push = 0;
-      },
-      parameters_.law);
-  if (parameters_.dissipation) {
-    const auto velocity = model.felt_velocities();
-    const double drag = dissipative_force(*parameters_.dissipation, pair.chord, 1 / pair.distance,
-                                          row_vector(velocity[static_cast<std::size_t>(i)]) -
-                                              row_vector(velocity[static_cast<std::size_t>(j)]));
-    pair.push += drag;
-    pair.power = drag * drag / *parameters_.dissipation;
-  }
-  return pair;
+    chord += lanes_vector(model.data(columns::image_shift),
+                          Model::at_slot(columns::image_shift, row, lane));
+  const double distance = norm(chord);
+  if (!(distance < row_i[3] + row_j[3]) || !(distance > 0)) return std::nullopt;
+  return chord;
 }
 
 void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) const {
-  model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (i > j) return;
-    const auto pair = acting(model, i, j, row, lane);
-    if (!pair) return;
-    const auto moved = [&](std::int32_t e) {
-      return row_vector(model.positions()[static_cast<std::size_t>(e)]) -
-             model.specimen().position[static_cast<std::size_t>(e)];
-    };
-    const Vector force = (-pair->push / pair->distance) * pair->chord;
-    visit({i, j, pair->chord - (moved(j) - moved(i)), force, {}});
-  });
+  const CentralMotion m = motion(model_);
+  Buffer<double> force;  // of the slots of a block
+  for (std::size_t block = 0; block < model.slots().blocks(); ++block) {
+    const std::size_t first_row = m.first_row[block];
+    force.assign(3 * lanes * (m.first_row[block + 1] - first_row));
+    kernels().find_central_efforts(m, {nullptr, nullptr, nullptr, nullptr, nullptr, force.data()},
+                                   block, block + 1);
+    model.slots().for_each_in(
+        block, [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
+          if (i > j) return;
+          const auto chord = chord_in(model, i, j, row, lane);
+          if (!chord) return;
+          const auto moved = [&](std::int32_t e) {
+            return row_vector(model.positions()[static_cast<std::size_t>(e)]) -
+                   model.specimen().position[static_cast<std::size_t>(e)];
+          };
+          const std::size_t at = 3 * lanes * (row - first_row) + static_cast<std::size_t>(lane);
+          visit({i, j, *chord - (moved(j) - moved(i)), lanes_vector(force.data(), at), {}});
+        });
+  }
   if (own_images_.empty()) return;
   for_each_own_image([&](std::size_t i, const Vector& chord, double equilibrium) {
     if (neighbours_.is_absent(i)) return;
@@ -307,29 +286,25 @@ void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) co
 
 void CentralForces::observe(const Model& model, Observation& observation) const {
   const std::size_t count = model.slots().padded_elements(), blocks = model.slots().blocks();
-  ObservedMotion& motion = observation.motion;
-  motion.force.assign(count, {});
+  ObservedMotion& seen = observation.motion;
+  seen.force.assign(count, {});
   // Of each element, so that the sums do not depend on where empty slots stand.
-  std::vector<double> energy(count, 0.0), pairs(count, 0.0), power(count, 0.0);
-  std::vector<double> nearest(count, compression_ratio_);
+  Buffer<double> forces(3 * count), energy(count), pairs(count), nearest(count);
+  Buffer<double> power(parameters_.dissipation ? count : 0);
+  const CentralMotion columns_now = motion(model_);
   for_blocks(blocks, least_blocks_moving, [&](std::size_t first, std::size_t last) {
-    for (std::size_t block = first; block < last; ++block)
-      model.slots().for_each_in(
-          block, [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-            const auto pair = acting(model, i, j, row, lane);
-            if (!pair) return;
-            const auto own = static_cast<std::size_t>(i);
-            motion.force[own] += (-pair->push / pair->distance) * pair->chord;
-            energy[own] += 0.5 * pair->potential;
-            pairs[own] += 0.5;
-            power[own] += 0.5 * pair->power;
-            nearest[own] = std::max(nearest[own], pair->equilibrium / pair->distance);
-          });
+    kernels().find_central_efforts(
+        columns_now,
+        {forces.begin(), energy.begin(), pairs.begin(), power.begin(), nearest.begin(), nullptr},
+        first, last);
+    for (std::size_t i = first * lanes; i < last * lanes; ++i)
+      seen.force[i] = lanes_vector(forces.begin(), Model::at(columns::velocity, i));
   });
-  double interactions = 0, potential = 0;
+  double interactions = 0, potential = 0, compression_ratio = compression_ratio_;
   for (std::size_t i = 0; i < count; ++i) {
     potential += energy[i];
     interactions += pairs[i];
+    compression_ratio = std::max(compression_ratio, nearest[i]);
   }
   for (std::size_t i = 0; i < own_images_.size(); ++i) {
     if (neighbours_.is_absent(i)) continue;
@@ -348,20 +323,18 @@ void CentralForces::observe(const Model& model, Observation& observation) const 
   const double* velocity = model.data(columns::velocity);
   const double* inverse_mass = model.data(columns::inverse_mass);
   const std::size_t elements = model.elements();
-  motion.force.resize(elements);
-  motion.velocity.resize(elements);
-  motion.kinetic_energy = motion.squared_impulse = 0;
+  seen.force.resize(elements);
+  seen.velocity.resize(elements);
+  seen.kinetic_energy = seen.squared_impulse = 0;
   for (std::size_t i = 0; i < elements; ++i) {
     if (!(inverse_mass[i] > 0)) continue;  // removed
-    Vector& v = motion.velocity[i];
+    Vector& v = seen.velocity[i];
     v = lanes_vector(velocity, Model::at(columns::velocity, i)) +
-        (observation.behind * inverse_mass[i]) * motion.force[i];
-    motion.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
-    motion.add_impulse({}, motion.force[i], inverse_mass[i]);
+        (observation.behind * inverse_mass[i]) * seen.force[i];
+    seen.kinetic_energy += 0.5 * dot(v, v) / inverse_mass[i];
+    seen.add_impulse({}, seen.force[i], inverse_mass[i]);
   }
   observation.add("interactions", interactions);
-  const double compression_ratio =
-      nearest.empty() ? 0 : *std::max_element(nearest.begin(), nearest.end());
   observation.add("largest_interpenetration",
                   compression_ratio > 0 ? 1 - 1 / compression_ratio : 0.0);
 }

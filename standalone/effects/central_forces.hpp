@@ -77,17 +77,9 @@ class CentralForces : public Mechanics {
   std::size_t searches() const { return neighbours_.searches(); }
 
  private:
-  /// A pair within range.
-  struct Acting {
-    Vector chord;
-    double distance, equilibrium;
-    double push;   ///< along the chord, away from i, N; with dissipation
-    double power;  ///< dissipated, W
-    double potential;
-  };
-  /// The pair in a slot; none beyond the range.
-  std::optional<Acting> acting(const Model& model, std::int32_t i, std::int32_t j, std::size_t row,
-                               int lane) const;
+  /// The chord of the pair in a slot; none beyond the range.
+  std::optional<Vector> chord_in(const Model& model, std::int32_t i, std::int32_t j,
+                                 std::size_t row, int lane) const;
   /// What elements have in common with their own images. It stays as it is, and the forces cancel:
   /// no slot is needed.
   struct OwnImages {

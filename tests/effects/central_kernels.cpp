@@ -117,7 +117,7 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
       ++crack_faces;
     }
   std::vector<Vector> force(count);
-  double power = 0, nearest = 1e300, scale = 0;
+  double power = 0, nearest = 1e300, scale = 0, potential = 0, pairs = 0;
   std::size_t deep = 0, cracked = 0;
   for (std::size_t i = 0; i < count; ++i)
     for (const Neighbour& other : neighbours[i]) {
@@ -139,6 +139,15 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
         push += drag * approach;
         power += 0.5 * drag * approach * approach;
       }
+      const double reach =
+          range * (model.specimen().radius[i] + model.specimen().radius[other.element]);
+      potential += 0.5 * std::visit(
+                             [&](const auto& law) {
+                               return central_potential(law, deepest, reach, other.distance,
+                                                        other.equilibrium);
+                             },
+                             variant.law);
+      pairs += 0.5;
       force[i] -= (push / other.distance) * other.chord;
       nearest = std::min(nearest, other.distance / other.equilibrium);
       scale = std::max(scale, std::fabs(push));
@@ -188,6 +197,34 @@ TEST_P(CentralKernel, pulls_drags_and_cracks_as_the_law_says) {
         EXPECT_EQ(shown[3], static_cast<double>(neighbours[i].size()));
       }
     }
+    const std::size_t padded = model.slots().padded_elements();
+    Buffer<double> loads(3 * padded), stored(padded), within(padded), drags(padded), ratio(padded);
+    Buffer<double> slot_force(3 * lanes * model.slots().rows());
+    kernels->find_central_efforts(
+        motion,
+        {loads.begin(), stored.begin(), within.begin(),
+         variant.dissipates ? drags.begin() : nullptr, ratio.begin(), slot_force.begin()},
+        0, model.slots().blocks());
+    double all_stored = 0, all_within = 0, all_drags = 0, largest_ratio = 0;
+    std::vector<Vector> of_slots(count);
+    model.slots().for_each([&](std::int32_t i, std::int32_t, std::size_t row, int lane) {
+      of_slots[static_cast<std::size_t>(i)] +=
+          lanes_vector(slot_force.begin(), 3 * lanes * row + static_cast<std::size_t>(lane));
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector load = lanes_vector(loads.begin(), Model::at(columns::velocity, i));
+      EXPECT_LT(norm(load - force[i]), tolerance * scale);
+      EXPECT_LT(norm(of_slots[i] - force[i]), tolerance * scale);
+      all_stored += stored[i];
+      all_within += within[i];
+      all_drags += drags[i];
+      largest_ratio = std::max(largest_ratio, ratio[i]);
+    }
+    EXPECT_NEAR(all_stored, potential, 1e-12 * std::fabs(potential));
+    EXPECT_EQ(all_within, pairs);
+    EXPECT_NEAR(all_drags, power, 1e-12 * power);
+    EXPECT_NEAR(largest_ratio * nearest, 1, 1e-14);
+
     kernels->move_by_central_forces(motion, 0, model.slots().blocks());
     Vector sum{};
     double sizes = 0, dissipated = 0;

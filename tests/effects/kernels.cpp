@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "effects/beams.hpp"
 #include "laws/rigid_sphere.hpp"
@@ -81,6 +82,58 @@ void expect_vector(const double* column, std::size_t at, const Vector& expected,
   EXPECT_NEAR(column[at + 2 * lanes], expected.z, tolerance);
 }
 
+/// What bonds do to elements, and energies, by the law in plain doubles.
+struct Efforts {
+  std::vector<Vector> force, moment;
+  double energy = 0, work = 0;
+  explicit Efforts(std::size_t elements) : force(elements), moment(elements) {}
+  void add(std::size_t element, const Beams::Bond& bond) {
+    force[element] += bond.load().force;
+    moment[element] += bond.load().moment_i;
+    energy += 0.5 * bond.energy();
+    work += 0.5 * bond.response.plastic_work;
+  }
+};
+
+/// What a kernel finds of all bonds, and what it leaves: those that flow, and no others of a body
+/// that has not flowed before.
+void expect_efforts(const Kernels& kernels, const BeamMotion& motion, const Model& model,
+                    const std::map<std::uint32_t, Beams::Bond>& bonds, const Efforts& expected) {
+  const std::size_t padded = model.slots().padded_elements();
+  Buffer<double> force(3 * padded), moment(3 * padded), energy(padded);
+  Buffer<double> slot_load(6 * lanes * model.slots().rows());
+  std::vector<std::uint32_t> left;
+  kernels.find_beam_efforts(
+      motion, {force.begin(), moment.begin(), energy.begin(), slot_load.begin(), &left}, 0,
+      model.slots().blocks());
+  Efforts rest(model.elements());
+  for (const std::uint32_t slot : left)
+    rest.add(static_cast<std::size_t>(model.slots().element_of(Slots::place_of(slot))),
+             bonds.at(slot));
+  double largest = 0, largest_moment = 0, sum = rest.energy;
+  for (std::size_t i = 0; i < model.elements(); ++i) {
+    largest = std::max(largest, norm(expected.force[i]));
+    largest_moment = std::max(largest_moment, norm(expected.moment[i]));
+    sum += energy[i];
+  }
+  EXPECT_NEAR(sum, expected.energy, 1e-12 * expected.energy);
+  for (std::size_t i = 0; i < model.elements(); ++i) {
+    const std::size_t at = Model::at(columns::velocity, i);
+    expect_vector(force.begin(), at, expected.force[i] - rest.force[i], 1e-12 * largest);
+    expect_vector(moment.begin(), at, expected.moment[i] - rest.moment[i], 1e-12 * largest_moment);
+  }
+  const std::set<std::uint32_t> those_left(left.begin(), left.end());
+  EXPECT_EQ(those_left.size(), left.size());
+  EXPECT_LT(left.size(), bonds.size());
+  for (const auto& [slot, bond] : bonds) {
+    if (those_left.count(slot) > 0) continue;
+    EXPECT_EQ(bond.response.plastic_work, 0);
+    const double* load = slot_load.begin() + 6 * lanes * (slot / lanes) + std::size_t{slot} % lanes;
+    expect_vector(load, 0, bond.load().force, 1e-12 * largest);
+    expect_vector(load, std::size_t{3} * lanes, bond.load().moment_i, 1e-12 * largest_moment);
+  }
+}
+
 class BeamKernel : public testing::TestWithParam<Variant> {};
 
 TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
@@ -91,19 +144,9 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
   Model& model = const_cast<Simulation&>(simulation).model();
   const Beams& beams = *simulation.find<Beams>();
   disturb(model, 0.02);
-  Observation seen;
-  simulation.observe(seen);
   const bool has_rotation = model.has(columns::angular_velocity);
   ASSERT_EQ(has_rotation, variant.law != Law::spring);
   ASSERT_EQ(model.has(columns::image_shift), variant.periodic);
-  double largest = 0, largest_spin = 0;
-  for (std::size_t i = 0; i < model.elements(); ++i) {
-    largest = std::max(largest, norm(seen.motion.force[i]) * model.data(columns::inverse_mass)[i]);
-    if (has_rotation)
-      largest_spin = std::max(
-          largest_spin, norm(seen.motion.moment[i]) * model.data(columns::inverse_inertia)[i]);
-  }
-  ASSERT_GT(largest, 0);
   const bool flows = variant.inelastic.plasticity.has_value();
   const bool may_break = variant.inelastic.rupture.has_value();
 
@@ -111,10 +154,12 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
   std::map<std::uint32_t, Beams::Bond> bonds;
   std::vector<std::uint32_t> expected_breaking;
   std::size_t flowing = 0;
+  Efforts expected(model.elements());
   model.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
     const auto at = static_cast<std::uint32_t>(row * lanes) + static_cast<std::uint32_t>(lane);
     const Beams::Bond bond = beams.bond(model, i, j, row, lane);
     bonds.emplace(at, bond);
+    expected.add(static_cast<std::size_t>(i), bond);
     if (bond.response.plastic_work > 0) ++flowing;
     if (may_break && breaks(variant.inelastic.rupture->law, bond.response.strains))
       expected_breaking.push_back(at);
@@ -128,10 +173,29 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
     EXPECT_LT(expected_breaking.size(), bonds.size());
   }
 
+  double largest = 0, largest_spin = 0, largest_force = 0, largest_moment = 0;
+  for (std::size_t i = 0; i < model.elements(); ++i) {
+    largest_force = std::max(largest_force, norm(expected.force[i]));
+    largest_moment = std::max(largest_moment, norm(expected.moment[i]));
+    largest = std::max(largest, norm(expected.force[i]) * model.data(columns::inverse_mass)[i]);
+    if (has_rotation)
+      largest_spin = std::max(largest_spin,
+                              norm(expected.moment[i]) * model.data(columns::inverse_inertia)[i]);
+  }
+  ASSERT_GT(largest, 0);
+  Observation seen;
+  simulation.observe(seen);
+  for (std::size_t i = 0; i < model.elements(); ++i) {
+    EXPECT_LT(norm(seen.motion.force[i] - expected.force[i]), 1e-12 * largest_force);
+    EXPECT_LE(norm(seen.motion.moment[i] - expected.moment[i]), 1e-12 * largest_moment);
+  }
+  EXPECT_NEAR(seen.energies.of("elastic_energy"), expected.energy, 1e-12 * expected.energy);
+
   const auto before = contents(model);
   for (const Kernels* kernels : usable_kernels()) {
     SCOPED_TRACE(kernels->instruction_set);
     put_back(model, before);
+    expect_efforts(*kernels, beams.motion(model), model, bonds, expected);
     std::vector<std::uint32_t> breaking;
     BeamMotion motion = beams.motion(model);
     motion.kick = 1;
@@ -143,10 +207,10 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
     for (std::size_t i = 0; i < model.elements(); ++i) {
       const std::size_t at = Model::at(columns::velocity, i);
       expect_vector(model.data(columns::velocity), at,
-                    model.data(columns::inverse_mass)[i] * seen.motion.force[i], 1e-12 * largest);
+                    model.data(columns::inverse_mass)[i] * expected.force[i], 1e-12 * largest);
       if (has_rotation)
         expect_vector(model.data(columns::angular_velocity), at,
-                      model.data(columns::inverse_inertia)[i] * seen.motion.moment[i],
+                      model.data(columns::inverse_inertia)[i] * expected.moment[i],
                       1e-12 * largest_spin);
       // No drift: every pose is handed on as it is.
       for (std::size_t k = 0; k < 8; ++k)
@@ -154,7 +218,8 @@ TEST_P(BeamKernel, pulls_flows_and_breaks_as_the_law_says) {
                     1e-15);
       if (flows) work += model.data(columns::plastic_work)[i];
     }
-    EXPECT_NEAR(work, seen.energies.of("plastic_work"), 1e-12 * seen.energies.of("elastic_energy"));
+    EXPECT_NEAR(work, expected.work, 1e-12 * expected.energy);
+    EXPECT_NEAR(seen.energies.of("plastic_work"), expected.work, 1e-12 * expected.energy);
     if (!flows) continue;
     for (const auto& [index, bond] : bonds) {
       const Slots::Place place = Slots::place_of(index);

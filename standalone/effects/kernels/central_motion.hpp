@@ -85,12 +85,18 @@ struct Pull {
     if constexpr (cracks) prefetch_rows<4>(m.barycentre, neighbours);
   }
 
-  void add(std::size_t row) {
+  /// Distance at which pairs neither attract nor repel each other.
+  Pack equilibrium_of(const Seen& seen, std::size_t slot) const {
+    return m.rest_length != nullptr ? Pack::load(m.rest_length + slot)
+                                    : Pack(1 / m.range) * seen.range;
+  }
+
+  /// Returns what a row adds.
+  PackVector add(std::size_t row) {
     const Pack none(0.0);
     const std::size_t slot = row * lanes + offset;
     const Seen seen = see<dissipates>(m, own, row, offset);
-    const Pack equilibrium = m.rest_length != nullptr ? Pack::load(m.rest_length + slot)
-                                                      : Pack(1 / m.range) * seen.range;
+    const Pack equilibrium = equilibrium_of(seen, slot);
     const Separation<Pack> at{seen.distance, seen.inverse_distance, equilibrium};
     Pack push = law.force(at);
     const Pack near = at.compression_ratio();
@@ -111,7 +117,9 @@ struct Pull {
       push += drag;
       dissipated += select(seen.inside, drag * drag, none);
     }
-    force -= select(seen.inside, push * seen.inverse_distance, none) * seen.chord;
+    const PackVector pulled = -select(seen.inside, push * seen.inverse_distance, none) * seen.chord;
+    force += pulled;
+    return pulled;
   }
 };
 

@@ -18,8 +18,10 @@ extern const Kernels kernels;
 const Kernels kernels{
     SOLIDEM_TEXT(SOLIDEM_INSTRUCTION_SET),
     move_beams_by_kind,
+    find_beam_efforts,
     move_by_central_forces,
     find_crack_faces,
+    find_central_efforts,
     move_freely,
     damp,
     damp_bonds,

@@ -72,6 +72,18 @@ struct BeamMotion {
   std::vector<std::uint32_t>* breaking;  ///< slots that break in this step are added here
 };
 
+/// What bonds do to elements, and energies that they store, as observers see them.
+struct BeamEfforts {
+  // Of each element, of whole blocks; all of them null: not asked for.
+  double* force;   ///< N, in lanes of vectors
+  double* moment;  ///< N·m, likewise
+  double* energy;  ///< J, half of that of its bonds
+  double*
+      slot_load;  ///< force and moment of each slot from the first block on; null: not asked for
+  /// Slots that have a shape of their own or may flow are left out, and added here.
+  std::vector<std::uint32_t>* left;
+};
+
 /// Columns of elements in motion under central forces.
 struct CentralMotion {
   CentralLaw law;
@@ -105,6 +117,17 @@ struct CentralMotion {
   // Results.
   double compression_ratio = 0;  ///< the largest δ_eq/δ that was met
   bool outran = false;           ///< an element has moved farther than its margin
+};
+
+/// What central forces do to elements, and what they store, as observers see it.
+struct CentralEfforts {
+  // Of each element, of whole blocks; all of them null: not asked for.
+  double* force;              ///< N, in lanes of vectors
+  double* potential;          ///< J, half of that of its pairs
+  double* pairs;              ///< half of how many are within range
+  double* power;              ///< W, half of what its pairs dissipate; null: nothing does
+  double* compression_ratio;  ///< the largest δ_eq/δ of its pairs
+  double* slot_force;         ///< of each slot from the first block on, N; null: not asked for
 };
 
 /// Columns of conducting elements.
@@ -245,11 +268,17 @@ struct Kernels {
   /// Beam loads on every element, after any plastic flow, then velocity += kick · load / mass,
   /// pose += drift · velocity.
   void (*move_beams)(const BeamMotion&, std::size_t first, std::size_t last);
+  /// Loads and energies of bonds; nothing moves.
+  void (*find_beam_efforts)(const BeamMotion&, const BeamEfforts&, std::size_t first,
+                            std::size_t last);
   /// Central forces on every element, then velocity += kick · force / mass,
   /// place += drift · velocity.
   void (*move_by_central_forces)(CentralMotion&, std::size_t first, std::size_t last);
   /// What every element shows of the cracks about it: laws/crack_face.hpp.
   void (*find_crack_faces)(const CentralMotion&, std::size_t first, std::size_t last);
+  /// Forces and potentials of pairs; nothing moves.
+  void (*find_central_efforts)(const CentralMotion&, const CentralEfforts&, std::size_t first,
+                               std::size_t last);
   /// Pose and velocity of elements on which nothing acts.
   void (*move_freely)(const FreeMotionColumns&, std::size_t first, std::size_t last);
   /// What damping of motion changes of velocities and of the poses that follow: laws/damping.hpp.

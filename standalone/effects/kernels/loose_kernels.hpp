@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Kernels of damping, of elements that touch or that nothing joins, and of spheres that are packed,
-// each in a source of its own: said in kernels.hpp and specimen/soft_sphere_kernels.hpp.
+// Kernels of what observers see of bonds and of central forces, of damping, of elements that touch
+// or that nothing joins, and of spheres that are packed, each in a source of its own: said in
+// kernels.hpp and specimen/soft_sphere_kernels.hpp.
 #ifndef SOLIDEM_EFFECTS_KERNELS_LOOSE_KERNELS_HPP
 #define SOLIDEM_EFFECTS_KERNELS_LOOSE_KERNELS_HPP
 
@@ -10,6 +11,10 @@
 
 namespace solidem::SOLIDEM_INSTRUCTION_SET {
 
+void find_beam_efforts(const BeamMotion& motion, const BeamEfforts& efforts, std::size_t first,
+                       std::size_t last);
+void find_central_efforts(const CentralMotion& motion, const CentralEfforts& efforts,
+                          std::size_t first, std::size_t last);
 void move_freely(const FreeMotionColumns& columns, std::size_t first, std::size_t last);
 void damp(const DampedElements& elements, std::size_t first, std::size_t last);
 void damp_bonds(const BeamMotion& motion, const DampedBonds& bonds, std::size_t first,
