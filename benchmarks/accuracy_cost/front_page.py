@@ -21,10 +21,10 @@ from typing import Any
 from benchmarks.accuracy_cost import front_words as words
 from benchmarks.accuracy_cost.front_behind import advice_page, advice_words, effects_page, effects_words
 from benchmarks.accuracy_cost.front_plot import draw_kind
-from benchmarks.accuracy_cost.front_words import Measured, link_to, median_of, own
+from benchmarks.accuracy_cost.front_words import Measured, link_to, median_of
 from benchmarks.accuracy_cost.orders import Order, order_of, points_of, table, write_table
 from benchmarks.accuracy_cost.page import percent
-from benchmarks.accuracy_cost.results import Median
+from benchmarks.accuracy_cost.results import Median, own
 from benchmarks.accuracy_cost.study import Study, read_study
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -128,8 +128,8 @@ def _codes(kinds: dict[str, list[Measured]]) -> list[str]:
     """The page of other codes."""
     rows = words.codes([pair for studies in kinds.values() for pair in studies])
     return ["# The same cases in other codes", "",
-            "Each row is a run of another code beside the same run of solidem, on one core (liggghts-2: on "
-            "two): time of the steps over solidem's, time of the whole program over that of solidem's (from "
+            "Each row is a run of another code beside the same run of solidem, on one core (names that end in "
+            "-2: on two): time of the steps over solidem's, time of the whole program over that of solidem's (from "
             "its start to its end: reading, setting up, stepping, writing; packing and calibration, which all "
             "codes share, apart), and the run of solidem that takes least time of those with as many elements, "
             "the same law and an error as small, whatever its other settings. Made by `python3 -m "

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Sequence
 
 from benchmarks.accuracy_cost.page import percent, seconds
-from benchmarks.accuracy_cost.results import Gain, Median, cheapest, front, gains
+from benchmarks.accuracy_cost.results import Gain, Median, cheapest, front, gains, own
 from benchmarks.accuracy_cost.study import Study
 
 LEVELS = (0.05, 0.01, 0.001)
@@ -42,14 +42,9 @@ def code_of(m: Median) -> str:
     return m.labels.get("code", "standalone")
 
 
-def own(points: Points) -> list[Median]:
-    """Those of the standalone program, on one core."""
-    return [m for m in points if code_of(m) == "standalone" and m.labels.get("threads", "1") == "1"]
-
-
 def way(study: Study, m: Median) -> str:
     """How a point is computed; what is the rule goes without saying."""
-    rule = {"code": "standalone", "instructions": "best", "precision": "double", "threads": "1"}
+    rule = {"code": "standalone", "instructions": "best", "precision": "double", "masses": "true masses"}
     if len(study.axes.get("law", [])) == 1:
         rule["law"] = m.labels["law"]
     words = [f"{value} element{'' if value == '1' else 's'}" if key == "elements" else value
@@ -96,7 +91,7 @@ def factor(value: float) -> str:
 
 def _knobs(study: Study, points: Points) -> str:
     """Which is cheapest, and which do not help."""
-    found: list[Gain] = gains(study, own(points))
+    found: list[Gain] = gains(study, points)
     helpful = [gain for gain in found if math.isfinite(gain.price)]
     idle = [gain for gain in found if not math.isfinite(gain.price) and gain.whole_factor > 1.05]
     words = []
@@ -190,7 +185,7 @@ def codes(studies: Sequence[Measured]) -> list[str]:
                 continue
             beaten = any(_alike(m, other, ("step", "speed", "method", "integrator"))
                          and other.seconds < m.seconds and other.error <= ALIKE * m.error for other in points)
-            twins = [other for other in own(points) if _alike(m, other, ("code", "threads"))]
+            twins = [other for other in own(points) if _alike(m, other, ("code",))]
             as_good = cheapest([other for other in own(points) if (other.elements, other.labels["law"])
                                 == (m.elements, m.labels["law"])], ALIKE * m.error, lambda point: point.seconds)
             if not beaten and twins and as_good is not None:

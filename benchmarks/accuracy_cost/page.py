@@ -13,7 +13,7 @@ from typing import Sequence
 from benchmarks.accuracy_cost.document import Document
 from benchmarks.accuracy_cost.known import Figure, Figures
 from benchmarks.accuracy_cost.plot import LEVELS, draw
-from benchmarks.accuracy_cost.results import SAME, Gain, Median, cheapest, gains
+from benchmarks.accuracy_cost.results import SAME, Gain, Median, cheapest, gains, on_one_core
 from benchmarks.accuracy_cost.runs import Omission
 from benchmarks.accuracy_cost.study import Reading, Study
 
@@ -143,9 +143,8 @@ def _reading(document: Document, study: Study, points: Sequence[Median], picture
     """What one reading of the runs says: picture, levels, knobs."""
     draw(study, points, picture)
     document.picture(picture, f"error against wall time, {study.title}, {points[0].reading}")
-    ours = [m for m in points if m.labels.get("code", "standalone") == "standalone"]
-    _levels(document, study, points)
-    _knobs(document, gains(study, ours))
+    _levels(document, study, on_one_core(points))
+    _knobs(document, gains(study, points))
 
 
 def _readings(document: Document, study: Study, points: Sequence[Median]) -> None:
@@ -251,8 +250,8 @@ def write_page(folder: Path, studies: list[Study], points: list[Median], omissio
     """Writes page.md, index.html and a picture for each study into a folder."""
     document = Document("What accuracy costs in time")
     document.paragraph(
-        "Each point is the median of real runs, one at a time on one core, in shuffled order; a "
-        "repetition has a specimen of its own. Time is the wall time of the steps, as each run's "
+        "Each point is the median of real runs, one at a time on one core (of codes whose name ends in -2 on two), "
+        "in shuffled order; a repetition has a specimen of its own. Time is the wall time of the steps, as each run's "
         "summary tells it, without looking at results and writing them. Apart stand the set-up "
         "(reading, bonds or tessellation, stable step), and the packing of the specimen with the "
         "calibration of its bonds, if the solid is given: both are made once and shared by all runs. "

@@ -17,7 +17,7 @@ from benchmarks.accuracy_cost.results import Median  # noqa: E402
 from benchmarks.accuracy_cost.study import Study  # noqa: E402
 
 MARKERS = "osD^vP<>"
-OTHER_CODES = "*Xp"
+OTHER_CODES = "*XpH8"
 LEVELS = (0.05, 0.01, 0.001)
 
 

@@ -66,6 +66,16 @@ class Gain:
         return float(self.whole_factor ** (math.log(2) / -math.log(self.error_factor)))
 
 
+def own(points: Sequence[Median]) -> list[Median]:
+    """Those of the standalone program on one core."""
+    return [m for m in points if m.labels.get("code", "standalone") == "standalone"]
+
+
+def on_one_core(points: Sequence[Median]) -> list[Median]:
+    """Those of all codes that took no more."""
+    return [m for m in points if not m.labels.get("code", "").endswith("-2")]
+
+
 def front(points: Sequence[tuple[float, float]]) -> list[bool]:
     """For each (time, error): whether no other is at least as good in both and better in one.
 
@@ -95,7 +105,8 @@ def _median(runs: list[Run], reading: str) -> Median:
 
 
 def medians(runs: list[Run]) -> list[Median]:
-    """The median of each point and reading, fronts marked within each study and reading."""
+    """The median of each point and reading; the fronts of what took one core are marked within each study
+    and reading."""
     groups: dict[tuple[str, str, tuple[tuple[str, str], ...]], list[Run]] = defaultdict(list)
     for run in runs:
         for reading in run.errors:
@@ -104,10 +115,11 @@ def medians(runs: list[Run]) -> list[Median]:
     marked = []
     for key in dict.fromkeys((m.study, m.reading) for m in found):
         members = [m for m in found if (m.study, m.reading) == key]
-        steps = front([(m.seconds, m.error) for m in members])
-        whole = front([(m.whole_seconds, m.error) for m in members])
-        marked += [replace(m, on_front=a, on_whole_front=b)
-                   for m, a, b in zip(members, steps, whole)]
+        single = on_one_core(members)
+        steps = front([(m.seconds, m.error) for m in single])
+        whole = front([(m.whole_seconds, m.error) for m in single])
+        marked += [replace(m, on_front=a, on_whole_front=b) for m, a, b in zip(single, steps, whole)]
+        marked += [m for m in members if m not in single]
     return marked
 
 
@@ -121,11 +133,12 @@ def cheapest(points: Sequence[Median], error: float,
 def _pairs(study: Study, move: Move, points: Sequence[Median]) -> list[tuple[Median, Median]]:
     """Points before and after a move that agree in every other axis."""
     # The labels that an axis gives may be several; all of them change with its setting.
-    own = {key for value in study.axes[move.axis] for key in value.labels}
-    others = {tuple((k, v) for k, v in m.labels.items() if k not in own): {} for m in points}
+    moved = {key for value in study.axes[move.axis] for key in value.labels}
+    others: dict[tuple[tuple[str, str], ...], dict[str, Median]] = defaultdict(dict)
     for m in points:
-        rest = tuple((k, v) for k, v in m.labels.items() if k not in own)
-        others[rest][m.labels[move.axis]] = m
+        # Tables of earlier runs may lack an axis.
+        if move.axis in m.labels:
+            others[tuple((k, v) for k, v in m.labels.items() if k not in moved)][m.labels[move.axis]] = m
     return [(group[a], group[b]) for group in others.values() for a, b in move.pairs
             if a in group and b in group]
 
@@ -133,12 +146,14 @@ def _pairs(study: Study, move: Move, points: Sequence[Median]) -> list[tuple[Med
 def gains(study: Study, points: Sequence[Median]) -> list[Gain]:
     """What each knob of a study gives, the best bargain first; knobs without a pair are left out.
 
-    `points`: those of one study, one reading and the standalone program.
+    `points`: those of one study and one reading; the standalone program on one core is what knobs are tried on,
+    unless another code, or two threads, is the knob.
     """
     found = []
     for move in study.moves:
         # A point that is its own reference errs by nothing, which tells nothing.
-        pairs = [(before, after) for before, after in _pairs(study, move, points)
+        tried = points if move.axis == "code" else own(points)
+        pairs = [(before, after) for before, after in _pairs(study, move, tried)
                  if before.error > 0 and after.error > 0]
         if not pairs:
             continue

@@ -31,7 +31,7 @@ from contrib.prepared import PreparedError, read_specimen
 STEP_OF_LIMIT = re.compile(r"^time_step_of_limit = ([0-9.]+)$", re.MULTILINE)
 
 #: Codes that read the scene themselves.
-OWN = ("standalone", "statics")
+OWN = ("standalone", "standalone-2", "statics")
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,8 @@ from compare.codes.yade import Yade
 
 def all_codes() -> dict[str, Code]:
     """Every adaptor by the name that cases use."""
-    codes: list[Code] = [Standalone(), Statics(), Liggghts(), Liggghts("liggghts-2", ranks=2),
-                         Liggghts("liggghts-4", ranks=4),
+    codes: list[Code] = [Standalone(), Standalone("standalone-2", threads=2), Statics(), Liggghts(),
+                         Liggghts("liggghts-2", ranks=2), Liggghts("liggghts-4", ranks=4),
                          Liggghts("liggghts-restart", restarts=True), Yade(), Calculix(), Lammps(),
                          Lammps("lammps-mie", "mie/cut")]
     return {code.name: code for code in codes}

@@ -15,7 +15,7 @@ import pytest
 from benchmarks.accuracy_cost.front_page import measured, orders
 from benchmarks.accuracy_cost.orders import order_of, table
 from benchmarks.accuracy_cost.page import write_page
-from benchmarks.accuracy_cost.results import Median, cheapest, front, gains, medians
+from benchmarks.accuracy_cost.results import Median, cheapest, front, gains, medians, own
 from benchmarks.accuracy_cost.runs import Omission, Run, scene_of
 from benchmarks.accuracy_cost.study import StudyError, read_study
 
@@ -170,6 +170,29 @@ def test_the_cheapest_point_keeps_the_error_asked_for() -> None:
     found = cheapest(points, 0.02)
     assert found is not None and found.labels["law"] == "voronoi" and found.elements == 60
     assert cheapest(points, 0.001) is None
+
+
+def test_what_two_threads_give_is_a_knob_and_no_front(study_file: Path) -> None:
+    study_file.write_text(STUDY.replace('''[[leave_out]]''', '''[[axis]]
+name = "code"
+values = ["standalone", "standalone-2"]
+
+[[leave_out]]''', 1) + '''
+[[move]]
+words = "two threads in place of one"
+axis = "code"
+pairs = [["standalone", "standalone-2"]]
+''')
+    study = read_study(study_file)
+    one, two = (replace(made, labels=made.labels | {"code": code})
+                for made, code in ((run("platonic", 60, 1, 4.0, 0.1), "standalone"),
+                                   (run("platonic", 60, 1, 2.0, 0.1), "standalone-2")))
+    points = medians([two, one])
+    assert [m.labels["code"] for m in points if m.on_front] == ["standalone"] == [
+        m.labels["code"] for m in own(points)]
+    gain, = gains(study, points)
+    assert gain.words == "two threads in place of one" and gain.error_factor == 1
+    assert gain.steps_factor == 0.5
 
 
 def test_what_is_left_out_and_what_failed_is_on_the_page(study_file: Path, tmp_path: Path) -> None:
