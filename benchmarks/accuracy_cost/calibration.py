@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bonds for the solid that a scene asks for in [calibration], each set found once, and the time it took."""
+"""Bonds, or constants of central forces, for the solid that a scene asks for in [calibration], each set found
+once, and the time it took."""
 
 from __future__ import annotations
 
@@ -9,7 +10,9 @@ import re
 import time
 import tomllib
 from pathlib import Path
+from typing import Any
 
+from benchmarks.accuracy_cost.central_calibration import Packing, factor_of, pulled_scene, with_forces
 from compare.codes.standalone import Standalone
 from compare.result import CodeFailure
 from compare.runs import table_text
@@ -44,33 +47,43 @@ def with_bonds(scene: str, found: str) -> str:
 
 
 class Calibrations:
-    """Sets of bonds by scene."""
+    """Sets of bonds, or of constants, by scene."""
 
-    def __init__(self, folder: Path, standalone: Standalone, program: str):
+    def __init__(self, folder: Path, standalone: Standalone, program: str, packing: Packing):
         """`program` names the very build, so that another one finds its own."""
         self.folder, self._standalone, self._program = folder, standalone, program
+        self._packing = packing
         self._failed: dict[str, CodeFailure] = {}
         folder.mkdir(parents=True, exist_ok=True)
 
     def get(self, scene: str, timeout: float) -> tuple[str, float]:
-        """The scene with its bonds, and the seconds they took; as it is if it does not ask for any."""
-        if "calibration" not in tomllib.loads(scene):
+        """The scene with what was found, and the seconds that took; as it is if it does not ask for any."""
+        known = tomllib.loads(scene)
+        if "calibration" not in known:
             return scene, 0.0
-        text = calibration_scene(scene)
+        central = "central_forces" in known
+        text = pulled_scene(scene, OTHER_PACKINGS) if central else calibration_scene(scene)
         name = hashlib.sha256(f"{text}\0{self._program}".encode()).hexdigest()[:16]
         if name in self._failed:
             raise self._failed[name]
         told = self.folder / f"{name}.json"
         if not told.exists():
             try:
-                self._calibrate(name, text, timeout, told)
+                found = (self._pull if central else self._calibrate)(name, text, timeout)
+                told.write_text(json.dumps(found))
             except CodeFailure as failure:
                 self._failed[name] = CodeFailure(f"no calibration: {failure}")
                 raise self._failed[name] from failure
-        known = json.loads(told.read_text())
-        return with_bonds(scene, known["bonds"]), float(known["seconds"])
+        found = json.loads(told.read_text())
+        scene = with_forces(scene, found["factor"]) if central else with_bonds(scene, found["bonds"])
+        return scene, float(found["seconds"])
 
-    def _calibrate(self, name: str, text: str, timeout: float, told: Path) -> None:
+    def _pull(self, name: str, text: str, timeout: float) -> dict[str, Any]:
+        start = time.perf_counter()
+        factor, packings = factor_of(text, self._standalone, self._packing, self.folder / name, timeout)
+        return {"factor": factor, "seconds": packings + time.perf_counter() - start}
+
+    def _calibrate(self, name: str, text: str, timeout: float) -> dict[str, Any]:
         file, output = self.folder / f"{name}.toml", self.folder / name
         file.write_text(text)
         found = output / "calibrated.toml"
@@ -82,5 +95,4 @@ class Calibrations:
             # Ends with status 1 where it came near and no nearer, and writes the nearest.
             if not found.exists():
                 raise
-        told.write_text(json.dumps({"bonds": found.read_text(),
-                                    "seconds": time.perf_counter() - start}))
+        return {"bonds": found.read_text(), "seconds": time.perf_counter() - start}

@@ -94,11 +94,9 @@ def orders(kinds: dict[str, list[Measured]]) -> dict[str, list[Order]]:
     found: dict[str, list[Order]] = {}
     everything = points_in_docs()
     for kind, studies in kinds.items():
-        if kind == "central forces":
-            continue  # its errors are those of steps and speeds, not of fineness
         for study, _ in studies:
             if not study.orders:
-                continue  # nor are those of a law, or of the scatter of packings
+                continue  # errors of a law, of the scatter of packings, of steps and speeds alone
             # Advice is about runs, not about bodies solved for at rest.
             points = [m for m in everything[study.name, study.orders] if not m.labels.get("solver")]
             reading = next(r for r in study.readings if r.name == study.orders)

@@ -139,7 +139,8 @@ class Bench:
         self._kept_runs, self._work = folder / "runs", folder / "work"
         self._kept_runs.mkdir(parents=True, exist_ok=True)
         self.specimens = Specimens(folder / "specimens", standalone, self.program)
-        self.calibrations = Calibrations(folder / "calibrations", standalone, self.program)
+        self.calibrations = Calibrations(folder / "calibrations", standalone, self.program,
+                                         self.specimens.get)
         self._known = folder / "known"
         self._series: dict[Any, Any] = {}
         self._limits: dict[str, float] = {}
