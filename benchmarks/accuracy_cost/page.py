@@ -30,7 +30,7 @@ def seconds(time: float | None) -> str:
 
 def _way(study: Study, m: Median, but: str = "") -> str:
     """How a point is computed, all `but` one axis; what is the rule goes without saying."""
-    rule = {"code": "standalone", "instructions": "best", "precision": "double"}
+    rule = {"code": "standalone", "instructions": "best", "precision": "double", "masses": "true masses"}
     shown = [axis for axis in study.axes if axis != but and m.labels.get(axis) != rule.get(axis)
              and not (axis == "speed" and m.labels.get("solver"))]  # a body at rest knows no speed
     words = [f"{m.labels[k]} elements" if k == "elements" else m.labels[k]
