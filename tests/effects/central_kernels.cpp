@@ -7,8 +7,11 @@
 
 #include "effects/beam_parameters.hpp"
 #include "effects/central_force_parameters.hpp"
+#include "effects/central_forces.hpp"
 #include "effects/kernels/kernels.hpp"
+#include "laws/central_interaction.hpp"
 #include "laws/crack_face.hpp"
+#include "model/lane_vectors.hpp"
 #include "support/central_forces.hpp"
 
 namespace solidem::central_kernels_test {
