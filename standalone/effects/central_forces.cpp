@@ -7,6 +7,7 @@
 #include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -17,6 +18,28 @@
 #include "model/lane_vectors.hpp"
 
 namespace solidem {
+
+namespace {
+
+/// Centre of an element, and its share α R of ranges.
+const double* place_in(const CentralMotion& m, std::int32_t element) {
+  const std::ptrdiff_t length = m.dissipated_energy == nullptr ? 4 : 8;
+  return m.position + length * element;
+}
+
+/// The chord of the pair in a slot; none beyond the range.
+std::optional<Vector> chord_in(const CentralMotion& m, std::int32_t i, std::int32_t j,
+                               std::size_t row, int lane) {
+  const double *row_i = place_in(m, i), *row_j = place_in(m, j);
+  Vector chord = row_vector(row_j) - row_vector(row_i);
+  if (m.image_shift != nullptr)
+    chord += lanes_vector(m.image_shift, Model::at_slot(columns::image_shift, row, lane));
+  const double squared = dot(chord, chord), range = row_i[3] + row_j[3];
+  if (!(squared < range * range) || !(squared > 0)) return std::nullopt;
+  return chord;
+}
+
+}  // namespace
 
 std::vector<const Column*> CentralForces::columns(const CentralForceParameters& parameters,
                                                   bool cracks, bool periodic) {
@@ -198,8 +221,9 @@ void CentralForces::find_crack_faces(double threshold) {
 
 std::vector<int> CentralForces::neighbours_within_range() const {
   std::vector<int> count(model_.elements(), 0);
+  const CentralMotion m = motion(model_);
   model_.slots().for_each([&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
-    if (chord_in(model_, i, j, row, lane)) ++count[static_cast<std::size_t>(i)];
+    if (chord_in(m, i, j, row, lane)) ++count[static_cast<std::size_t>(i)];
   });
   return count;
 }
@@ -236,38 +260,24 @@ double CentralForces::longest_time_step(double squared_frequency) const {
   return (std::sqrt(drag * drag + 4 * squared) - drag) / squared;
 }
 
-std::optional<Vector> CentralForces::chord_in(const Model& model, std::int32_t i, std::int32_t j,
-                                              std::size_t row, int lane) const {
-  const double* row_i = model.positions()[static_cast<std::size_t>(i)];
-  const double* row_j = model.positions()[static_cast<std::size_t>(j)];
-  Vector chord = row_vector(row_j) - row_vector(row_i);
-  if (model.has(columns::image_shift))
-    chord += lanes_vector(model.data(columns::image_shift),
-                          Model::at_slot(columns::image_shift, row, lane));
-  const double distance = norm(chord);
-  if (!(distance < row_i[3] + row_j[3]) || !(distance > 0)) return std::nullopt;
-  return chord;
-}
-
 void CentralForces::for_each_pair(const Model& model, const PairVisit& visit) const {
   const CentralMotion m = motion(model_);
+  const auto moved = [&](std::int32_t e) {
+    return row_vector(place_in(m, e)) - model.specimen().position[static_cast<std::size_t>(e)];
+  };
   Buffer<double> force;  // of the slots of a block
   for (std::size_t block = 0; block < model.slots().blocks(); ++block) {
     const std::size_t first_row = m.first_row[block];
     force.assign(3 * lanes * (m.first_row[block + 1] - first_row));
-    kernels().find_central_efforts(m, {nullptr, nullptr, nullptr, nullptr, nullptr, force.data()},
+    kernels().find_central_efforts(m, {nullptr, nullptr, nullptr, nullptr, nullptr, force.begin()},
                                    block, block + 1);
     model.slots().for_each_in(
         block, [&](std::int32_t i, std::int32_t j, std::size_t row, int lane) {
           if (i > j) return;
-          const auto chord = chord_in(model, i, j, row, lane);
+          const auto chord = chord_in(m, i, j, row, lane);
           if (!chord) return;
-          const auto moved = [&](std::int32_t e) {
-            return row_vector(model.positions()[static_cast<std::size_t>(e)]) -
-                   model.specimen().position[static_cast<std::size_t>(e)];
-          };
           const std::size_t at = 3 * lanes * (row - first_row) + static_cast<std::size_t>(lane);
-          visit({i, j, *chord - (moved(j) - moved(i)), lanes_vector(force.data(), at), {}});
+          visit({i, j, *chord - (moved(j) - moved(i)), lanes_vector(force.begin(), at), {}});
         });
   }
   if (own_images_.empty()) return;

@@ -3,7 +3,6 @@
 #define SOLIDEM_EFFECTS_CENTRAL_FORCES_HPP
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "effects/central_force_parameters.hpp"
@@ -77,9 +76,6 @@ class CentralForces : public Mechanics {
   std::size_t searches() const { return neighbours_.searches(); }
 
  private:
-  /// The chord of the pair in a slot; none beyond the range.
-  std::optional<Vector> chord_in(const Model& model, std::int32_t i, std::int32_t j,
-                                 std::size_t row, int lane) const;
   /// What elements have in common with their own images. It stays as it is, and the forces cancel:
   /// no slot is needed.
   struct OwnImages {
