@@ -14,9 +14,10 @@ from typing import Any, Callable, Sequence
 import numpy as np
 
 from benchmarks.adiabatic_flow.law import TESTS, adiabatic
-from compare.codes.calculix_solids import (HolePlate, Solid, bar_frequencies, bar_stiffness,
-                                           hole_stress, ringing_bar)
-from compare.references import RectangularBeam
+from compare.codes.calculix_solids import (Cylinder, HolePlate, Solid, bar_frequencies, bar_stiffness,
+                                           hole_stress, indentation_stiffness, ringing_bar,
+                                           warm_bar_growth)
+from compare.references import RectangularBeam, warming_rod
 from compare.result import CodeFailure, Floats
 
 
@@ -127,6 +128,49 @@ def _hole(options: dict[str, Any], folder: Path) -> Figures:
                               "CalculiX, at the innermost point of the finest mesh")}
 
 
+def _warm_rod(options: dict[str, Any], folder: Path) -> Figures:
+    """Of a rod of `size` (m, what is free of it) that is warmed at the end that is held by `rise` (K) within
+    `ramp` (s): how far the middle of its other end has gone, in the mean over each of `windows` (name -> [from,
+    to], s). At rest at every time; temperatures by a series."""
+    length, width, height = options["size"]
+    solid = Solid((length, width, height), options["young_modulus"], options["poisson_ratio"],
+                  options["density"])
+    expansion = options["expansion_coefficient"]
+    diffusivity = options["conductivity"] / (solid.density * options["specific_heat_capacity"])
+    meshes, words = _meshes(options["cells"])
+    found: Figures = {}
+    for name, window in options["windows"].items():
+        def rise(distance: Floats, window: Sequence[float] = window) -> Floats:
+            return warming_rod(distance, length, diffusivity, options["rise"], options["ramp"],
+                               (window[0], window[1]))
+        figure = found[name] = extrapolated(
+            [warm_bar_growth(solid, expansion, rise, mesh, folder) for mesh in meshes],
+            f"{words}, temperatures by Fourier's series")
+        middles = (np.arange(1000) + 0.5) * length / 1000
+        free = expansion * length * float(rise(middles).mean())
+        found[f"{name}, free sideways"] = Figure(free, abs(free / figure.value - 1),
+                                                 "α times the integral of the rise")
+    return found
+
+
+def _indentation(options: dict[str, Any], folder: Path) -> Figures:
+    """Of a cylinder of `length` (m, what is free of it) and `radius` (m) on a bed that holds it: force over depth
+    of a flat, smooth pin of `pin_radius` (m). `cells` of the coarsest mesh: under the pin, beside it, along
+    the axis."""
+    cylinder = Cylinder(options["length"], options["radius"], options["young_modulus"],
+                        options["poisson_ratio"])
+    pin = options["pin_radius"]
+    inside, beside, along = options["cells"]
+    meshes = [(n * inside, n * beside, n * along) for n in (1, 2, 4)]
+    figure = extrapolated([indentation_stiffness(cylinder, pin, mesh, folder) for mesh in meshes],
+                          "meshes of " + ", ".join(f"{a + b}×{c}" for a, b, c in meshes)
+                          + " rings of eight nodes")
+    half_space = 2 * pin * cylinder.young_modulus / (1 - cylinder.poisson_ratio**2)
+    return {"stiffness": figure,
+            "stiffness, half-space": Figure(half_space, abs(half_space / figure.value - 1),
+                                            "2 a E / (1 − ν²), Sneddon 1965")}
+
+
 def _given(options: dict[str, Any], folder: Path) -> Figures:
     """What the table says: `source`, `values` (name -> number), `errors` (of some of them)."""
     errors = options.get("errors", {})
@@ -153,8 +197,8 @@ def _adiabatic_flow(options: dict[str, Any], folder: Path) -> Figures:
 
 
 KINDS: dict[str, Callable[[dict[str, Any], Path], Figures]] = {
-    "bar": _bar, "ringing_bar": _ringing_bar, "hole": _hole, "given": _given,
-    "adiabatic_flow": _adiabatic_flow}
+    "bar": _bar, "ringing_bar": _ringing_bar, "hole": _hole, "warm_rod": _warm_rod,
+    "indentation": _indentation, "given": _given, "adiabatic_flow": _adiabatic_flow}
 
 
 def figures(options: dict[str, Any], folder: Path) -> Figures:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from benchmarks.accuracy_cost.known import swing
-from benchmarks.accuracy_cost.measures import OneRun, slope_of
+from benchmarks.accuracy_cost.measures import OneRun, mean_of, slope_of
 from compare.measures import measure
 from compare.result import CodeFailure, Floats
 from compare.row import Measured
@@ -30,6 +30,16 @@ def slope_against(view: View) -> Measured:
     Options: as of slope_error.
     """
     found = view.check.options.get("sign", 1) * slope_of(view, view.tested)
+    return Measured(abs(found / _right(view) - 1), f"{found:.6g}")
+
+
+@measure
+def mean_against(view: View) -> Measured:
+    """Of the mean of `y` over a part of a curve.
+
+    Options: as of curve_error.
+    """
+    found = mean_of(view, view.tested)
     return Measured(abs(found / _right(view) - 1), f"{found:.6g}")
 
 

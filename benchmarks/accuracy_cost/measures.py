@@ -128,15 +128,17 @@ def slope_error(view: View) -> Measured:
     return Measured(abs(slope_of(view, view.tested) / slope_of(view, view.other) - 1))
 
 
+def mean_of(view: View, result: Result) -> float:
+    """Of `y` over a part of a curve."""
+    x, y = _curve(view, result)
+    return float(y[_part(view, x)].mean())
+
+
 @measure
 def mean_error(view: View) -> Measured:
     """Relative difference of the mean of `y` over a part of the curve; options as of curve_error.
     """
-    means = []
-    for result in (view.tested, view.other):
-        x, y = _curve(view, result)
-        means.append(float(y[_part(view, x)].mean()))
-    return Measured(abs(means[0] / means[1] - 1))
+    return Measured(abs(mean_of(view, view.tested) / mean_of(view, view.other) - 1))
 
 
 @measure

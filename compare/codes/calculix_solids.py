@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """CalculiX: elastic solids of a size, meshed by bricks of twenty nodes, as references for figures of
-bodies of elements: a bar held at one end, and a plate with a hole."""
+bodies of elements: a bar held at one end, a plate with a hole, and a cylinder that a pin is pressed on."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Sequence
+from typing import Any, Callable, Sequence
 
 import numpy as np
 
@@ -83,6 +83,22 @@ def bar_stiffness(solid: Solid, load: str, cells: tuple[int, int, int], director
     return float(found.group(1).split()[axis - 1]) / moved
 
 
+def warm_bar_growth(solid: Solid, expansion_coefficient: float, rise: Callable[[Floats], Floats],
+                    cells: tuple[int, int, int], directory: Path, timeout: float = 600) -> float:
+    """How far, m, the middle of the far face of a bar goes along x whose other end is held, at a `rise` of
+    temperature, K, over the distance from that end, m. `cells` along y and z are even."""
+    mesh = _mesh(solid, cells)
+    places = np.unique((2 * mesh.bricks()[:, None, :] + PLACES).reshape(-1, 3), axis=0)
+    warm = zip(mesh.node(places), rise(places[:, 0] * mesh.size[0] / 2))
+    metal = MATERIAL.format(**vars(solid)).replace(
+        "*DENSITY", f"*EXPANSION, ZERO=0\n{expansion_coefficient:.12g}\n*DENSITY")
+    text = (mesh.lines() + _ends(mesh) + _node_set("TIP", mesh.node((2 * cells[0], *cells[1:]))) + metal
+            + "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nALL, 0\n*STEP\n*STATIC\n*BOUNDARY\nLOW, 1, 3\n*TEMPERATURE\n"
+            + "".join(f"{n}, {kelvin:.12g}\n" for n, kelvin in warm)
+            + "*NODE PRINT, NSET=TIP\nU\n*END STEP\n")
+    return float(_numbers(_run(text, directory, timeout), "displacements (")[0, 1])
+
+
 def bar_frequencies(solid: Solid, count: int, cells: tuple[int, int, int], directory: Path,
                     timeout: float = 600) -> Floats:
     """The first frequencies, Hz, at which a bar of square section, held at one end, is bent; each is
@@ -107,6 +123,20 @@ def bar_frequencies(solid: Solid, count: int, cells: tuple[int, int, int], direc
         raise CodeFailure(f"{len(pairs)} of {2 * count} frequencies of bending found")
     mean: Floats = pairs[:2 * count].reshape(count, 2).mean(axis=1)
     return mean
+
+
+#: Of the eight nodes of a ring's section: corners, then the middles of its edges, in halves of the section.
+RING_PLACES = np.array([(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)])
+
+
+@dataclass(frozen=True)
+class Cylinder:
+    """An elastic cylinder, its axis upright."""
+
+    length: float  #: m
+    radius: float  #: m
+    young_modulus: float  #: Pa
+    poisson_ratio: float
 
 
 @dataclass(frozen=True)
@@ -211,6 +241,48 @@ def ringing_bar(solid: Solid, rate: float, duration: float, cells: tuple[int, in
         raise CodeFailure(f"calculix wrote {len(found)} of {steps} increments")
     rows = np.array([(0.0, 0.0), *found], dtype=float)
     return rows[:, 0], rows[:, 1]
+
+
+def _finer_at_start(length: float, cells: int) -> Floats:
+    """Ends and middles of cells along a length, of which the last is about twenty times as long as the first."""
+    ends = length * np.expm1(3 * np.arange(cells + 1) / cells) / np.expm1(3.0)
+    found = np.repeat(ends, 2)[:-1]
+    found[1::2] = (ends[:-1] + ends[1:]) / 2
+    return found
+
+
+def indentation_stiffness(cylinder: Cylinder, pin_radius: float, cells: tuple[int, int, int],
+                          directory: Path, timeout: float = 600) -> float:
+    """Force over depth, N/m, of a flat, smooth, round and rigid pin that is pressed on the middle of the upper
+    face of a cylinder whose lower face is held. `cells`: under the pin and beside it, outwards, and along the axis.
+
+    Rings of eight nodes, smaller towards the pin.
+    """
+    inside, beside, along = cells
+    edges = np.r_[np.linspace(0, pin_radius, 2 * inside + 1)[:-1],
+                  pin_radius + _finer_at_start(cylinder.radius - pin_radius, beside)]
+    height = cylinder.length - _finer_at_start(cylinder.length, along)[::-1]
+    i, j = (a.ravel() for a in np.meshgrid(np.arange(len(edges)), np.arange(len(height)), indexing="ij"))
+    there = (i % 2 == 0) | (j % 2 == 0)  # no node in the middle of a ring's section
+    i, j = i[there], j[there]
+
+    def node(across: Any, up: Any) -> Any:
+        return 1 + across * len(height) + up
+
+    rings = np.stack([a.ravel() for a in np.meshgrid(np.arange(inside + beside), np.arange(along),
+                                                    indexing="ij")], axis=1)
+    corners = 2 * rings[:, None, :] + RING_PLACES
+    text = "*NODE, NSET=ALL\n" + "".join(
+        f"{n}, {x:.12g}, {y:.12g}\n" for n, x, y in zip(node(i, j), edges[i], height[j]))
+    text += "*ELEMENT, TYPE=CAX8R, ELSET=PLATE\n" + "".join(
+        f"{n}, {', '.join(map(str, row))}\n" for n, row in enumerate(node(*np.moveaxis(corners, 2, 0)), 1))
+    for name, chosen in (("LOW", j == 0), ("AXIS", i == 0), ("PIN", (j == 2 * along) & (i <= 2 * inside))):
+        text += _node_set(name, node(i, j)[chosen])
+    moved = 1e-4 * cylinder.length
+    text += (MATERIAL.format(density=1.0, **vars(cylinder)) + "*STEP\n*STATIC\n*BOUNDARY\nLOW, 1, 2\nAXIS, 1, 1\n"
+             f"PIN, 2, 2, {-moved:.12g}\n*NODE PRINT, NSET=PIN, TOTALS=ONLY\nRF\n*END STEP\n")
+    # CalculiX bears the force on two degrees of the ring.
+    return -180 * float(_numbers(_run(text, directory, timeout), "total force")[0, 1]) / moved
 
 
 def _numbers(text: str, head: str) -> Floats:

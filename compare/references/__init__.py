@@ -10,7 +10,7 @@ from compare.references.hot_plate import HotPlate
 from compare.references.lattice import finite_difference_step
 from compare.references.layers import Layer, layers_temperature
 from compare.references.moving_disc import MovingDisc, moving_disc_temperature
-from compare.references.rod import rod_temperature
+from compare.references.rod import rod_temperature, warming_rod
 from compare.references.slender_beam import (cantilever_frequencies, cantilever_roots,
                                              circular_second_moment, collapse_load,
                                              tip_deflection)
@@ -21,4 +21,5 @@ __all__ = ["HotPlate", "Layer", "MovingDisc", "RectangularBeam", "beam_stiffness
            "bilinear_stress", "cantilever_frequencies", "cantilever_roots",
            "circular_second_moment", "collapse_load", "cyclic_stress", "finite_difference_step",
            "layers_temperature", "moving_disc_temperature", "rod_temperature",
-           "scaled_offset_stress", "spring_stiffness", "tip_deflection", "wedge_temperature"]
+           "scaled_offset_stress", "spring_stiffness", "tip_deflection", "warming_rod",
+           "wedge_temperature"]
