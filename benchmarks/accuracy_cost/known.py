@@ -15,8 +15,8 @@ import numpy as np
 
 from benchmarks.adiabatic_flow.law import TESTS, adiabatic
 from compare.codes.calculix_solids import (Cylinder, HolePlate, Solid, bar_frequencies, bar_stiffness,
-                                           hole_stress, indentation_stiffness, ringing_bar,
-                                           warm_bar_growth)
+                                           hole_stress, indentation_curve, indentation_stiffness,
+                                           ringing_bar, warm_bar_growth)
 from compare.references import RectangularBeam, warming_rod
 from compare.result import CodeFailure, Floats
 
@@ -153,22 +153,42 @@ def _warm_rod(options: dict[str, Any], folder: Path) -> Figures:
     return found
 
 
+def _pressed_cylinder(options: dict[str, Any]) -> tuple[Cylinder, float, list[tuple[int, int, int]], str]:
+    """Body, radius of the pin, meshes and their name."""
+    cylinder = Cylinder(options["length"], options["radius"], options["young_modulus"],
+                        options["poisson_ratio"])
+    inside, beside, along = options["cells"]
+    meshes = [(n * inside, n * beside, n * along) for n in (1, 2, 4)]
+    words = "meshes of " + ", ".join(f"{a + b}×{c}" for a, b, c in meshes) + " rings of eight nodes"
+    return cylinder, options["pin_radius"], meshes, words
+
+
 def _indentation(options: dict[str, Any], folder: Path) -> Figures:
     """Of a cylinder of `length` (m, what is free of it) and `radius` (m) on a bed that holds it: force over depth
     of a flat, smooth pin of `pin_radius` (m). `cells` of the coarsest mesh: under the pin, beside it, along
     the axis."""
-    cylinder = Cylinder(options["length"], options["radius"], options["young_modulus"],
-                        options["poisson_ratio"])
-    pin = options["pin_radius"]
-    inside, beside, along = options["cells"]
-    meshes = [(n * inside, n * beside, n * along) for n in (1, 2, 4)]
-    figure = extrapolated([indentation_stiffness(cylinder, pin, mesh, folder) for mesh in meshes],
-                          "meshes of " + ", ".join(f"{a + b}×{c}" for a, b, c in meshes)
-                          + " rings of eight nodes")
+    cylinder, pin, meshes, words = _pressed_cylinder(options)
+    figure = extrapolated([indentation_stiffness(cylinder, pin, mesh, folder) for mesh in meshes], words)
     half_space = 2 * pin * cylinder.young_modulus / (1 - cylinder.poisson_ratio**2)
     return {"stiffness": figure,
             "stiffness, half-space": Figure(half_space, abs(half_space / figure.value - 1),
                                             "2 a E / (1 − ν²), Sneddon 1965")}
+
+
+def _plunge(options: dict[str, Any], folder: Path) -> Figures:
+    """Of a cylinder as of an indentation whose metal flows by Ludwik's law (`yield_stress`, `hardening_stress`,
+    Pa, `hardening_exponent`): mean force on the pin between the depths of `from` and `to` (m)."""
+    cylinder, pin, meshes, words = _pressed_cylinder(options)
+    start, end = options["from"], options["to"]
+    # Between its points the curve is taken as straight: thirty of them leave less than a thousandth of the stress.
+    strains = [0.0, *np.geomspace(1e-4, 2.0, 30)]
+    flow = [(options["yield_stress"] + options["hardening_stress"] * e**options["hardening_exponent"], e)
+            for e in strains]
+    depths, forces = np.linspace(start, end, 101), []
+    for mesh in meshes:
+        curve = indentation_curve(cylinder, flow, pin, end, mesh, folder)
+        forces.append(float(np.interp(depths, *curve).mean()))
+    return {"force": extrapolated(forces, f"{words}; von Mises, isotropic hardening")}
 
 
 def _given(options: dict[str, Any], folder: Path) -> Figures:
@@ -198,7 +218,7 @@ def _adiabatic_flow(options: dict[str, Any], folder: Path) -> Figures:
 
 KINDS: dict[str, Callable[[dict[str, Any], Path], Figures]] = {
     "bar": _bar, "ringing_bar": _ringing_bar, "hole": _hole, "warm_rod": _warm_rod,
-    "indentation": _indentation, "given": _given, "adiabatic_flow": _adiabatic_flow}
+    "indentation": _indentation, "plunge": _plunge, "given": _given, "adiabatic_flow": _adiabatic_flow}
 
 
 def figures(options: dict[str, Any], folder: Path) -> Figures:

@@ -251,13 +251,8 @@ def _finer_at_start(length: float, cells: int) -> Floats:
     return found
 
 
-def indentation_stiffness(cylinder: Cylinder, pin_radius: float, cells: tuple[int, int, int],
-                          directory: Path, timeout: float = 600) -> float:
-    """Force over depth, N/m, of a flat, smooth, round and rigid pin that is pressed on the middle of the upper
-    face of a cylinder whose lower face is held. `cells`: under the pin and beside it, outwards, and along the axis.
-
-    Rings of eight nodes, smaller towards the pin.
-    """
+def _pressed_cylinder(cylinder: Cylinder, pin_radius: float, cells: tuple[int, int, int], metal: str) -> str:
+    """Rings of eight nodes, smaller towards the pin, of a `metal`; sets LOW, AXIS and PIN, the nodes under it."""
     inside, beside, along = cells
     edges = np.r_[np.linspace(0, pin_radius, 2 * inside + 1)[:-1],
                   pin_radius + _finer_at_start(cylinder.radius - pin_radius, beside)]
@@ -278,11 +273,52 @@ def indentation_stiffness(cylinder: Cylinder, pin_radius: float, cells: tuple[in
         f"{n}, {', '.join(map(str, row))}\n" for n, row in enumerate(node(*np.moveaxis(corners, 2, 0)), 1))
     for name, chosen in (("LOW", j == 0), ("AXIS", i == 0), ("PIN", (j == 2 * along) & (i <= 2 * inside))):
         text += _node_set(name, node(i, j)[chosen])
+    return text + metal
+
+
+#: How far the pin goes, and what is told of it; CalculiX bears forces on two degrees of a ring.
+PRESSED = """\
+*BOUNDARY
+LOW, 1, 2
+AXIS, 1, 1
+PIN, 2, 2, {depth:.12g}
+*NODE PRINT, NSET=PIN, TOTALS=ONLY
+RF
+*END STEP
+"""
+RING_SHARE = 180
+
+
+def indentation_stiffness(cylinder: Cylinder, pin_radius: float, cells: tuple[int, int, int],
+                          directory: Path, timeout: float = 600) -> float:
+    """Force over depth, N/m, of a flat, smooth, round and rigid pin that is pressed on the middle of the upper
+    face of a cylinder whose lower face is held. `cells`: under the pin and beside it, outwards, and along the axis.
+    """
     moved = 1e-4 * cylinder.length
-    text += (MATERIAL.format(density=1.0, **vars(cylinder)) + "*STEP\n*STATIC\n*BOUNDARY\nLOW, 1, 2\nAXIS, 1, 1\n"
-             f"PIN, 2, 2, {-moved:.12g}\n*NODE PRINT, NSET=PIN, TOTALS=ONLY\nRF\n*END STEP\n")
-    # CalculiX bears the force on two degrees of the ring.
-    return -180 * float(_numbers(_run(text, directory, timeout), "total force")[0, 1]) / moved
+    text = (_pressed_cylinder(cylinder, pin_radius, cells, MATERIAL.format(density=1.0, **vars(cylinder)))
+            + "*STEP\n*STATIC\n" + PRESSED.format(depth=-moved))
+    return -RING_SHARE * float(_numbers(_run(text, directory, timeout), "total force")[0, 1]) / moved
+
+
+def indentation_curve(cylinder: Cylinder, flow: Sequence[tuple[float, float]], pin_radius: float, depth: float,
+                      cells: tuple[int, int, int], directory: Path, steps: int = 20,
+                      timeout: float = 600) -> tuple[Floats, Floats]:
+    """Depths, m, and forces, N, up to a `depth`, of a pin as of indentation_stiffness on a metal that flows by
+    von Mises and hardens alike in all directions: `flow` has true stresses, Pa, over plastic strains, from 0 on.
+
+    Large displacements and rotations count.
+    """
+    metal = MATERIAL.format(density=1.0, **vars(cylinder)).replace(
+        "*DENSITY", "*PLASTIC\n" + "".join(f"{s:.12g}, {e:.12g}\n" for s, e in flow) + "*DENSITY")
+    text = (_pressed_cylinder(cylinder, pin_radius, cells, metal)
+            + f"*STEP, INC=1000, NLGEOM\n*STATIC\n{1 / steps:.6g}, 1, 1e-6, {1 / steps:.6g}\n"
+            + PRESSED.format(depth=-depth))
+    said = _run(text, directory, timeout)
+    found = re.findall(r"total force \(fx,fy,fz\) for set PIN and time +(\S+)\s+\S+ +(\S+)", said)
+    rows = np.array([(0.0, 0.0), *found], dtype=float)
+    if rows[-1, 0] < 1 - 1e-6:
+        raise CodeFailure(f"calculix came {100 * rows[-1, 0]:.0f} % of the way")
+    return depth * rows[:, 0], -RING_SHARE * rows[:, 1]
 
 
 def _numbers(text: str, head: str) -> Floats:

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from benchmarks.accuracy_cost.known import figures
-from compare.codes.calculix_solids import Cylinder, indentation_stiffness
+from compare.codes.calculix_solids import Cylinder, indentation_curve, indentation_stiffness
 from compare.references import rod_temperature, warming_rod
 
 needs_calculix = pytest.mark.skipif(shutil.which("ccx") is None, reason="CalculiX is not installed")
@@ -84,3 +84,24 @@ def test_a_pin_on_a_large_body_is_sneddons(tmp_path: Path) -> None:
     assert found["stiffness, half-space"].value == pytest.approx(2 * 1e-3 * 70e9 / 0.91)
     assert found["stiffness"].value == pytest.approx(found["stiffness, half-space"].value, rel=0.03)
     assert found["stiffness"].value > found["stiffness, half-space"].value
+
+
+@needs_calculix
+def test_a_wide_pin_makes_a_bar_flow(tmp_path: Path) -> None:
+    bar = Cylinder(2e-3, 1e-3, 70e9, 0.3)
+    depth, force = indentation_curve(bar, [(210e6, 0), (280e6, 1)], 0.98e-3, 20e-6, (3, 1, 6), tmp_path)
+    strain = -math.log(1 - depth[-1] / bar.length)
+    # Its section grows as its length falls; it yields at .3 %.
+    right = (210e6 + 70e6 * (strain - 0.003)) * math.pi * bar.radius**2 * math.exp(strain)
+    assert force[-1] == pytest.approx(right, rel=0.01)
+
+
+@needs_calculix
+def test_a_small_pin_on_a_metal_is_that_of_the_theory_of_plasticity(tmp_path: Path) -> None:
+    """Mean pressure at collapse over the yield stress: 2.85 by Tresca (Shield 1955), at most 2/√3 times that by
+    von Mises. Before it flows it is an elastic body."""
+    block = Cylinder(4e-3, 4e-3, 70e9, 0.3)
+    depth, force = indentation_curve(block, [(100e6, 0), (101e6, 1)], 1e-3, 15e-6, (3, 5, 6), tmp_path)
+    assert 2.84 < force[-1] / (100e6 * math.pi * 1e-6) < 2.845 * 2 / math.sqrt(3)
+    assert force[1] / depth[1] == pytest.approx(
+        indentation_stiffness(block, 1e-3, (3, 5, 6), tmp_path), rel=1e-4)
