@@ -286,7 +286,7 @@ PIN, 2, 2, {depth:.12g}
 RF
 *END STEP
 """
-RING_SHARE = 180
+RING_SHARE = 180.0
 
 
 def indentation_stiffness(cylinder: Cylinder, pin_radius: float, cells: tuple[int, int, int],
