@@ -180,8 +180,8 @@ def _plunge(options: dict[str, Any], folder: Path) -> Figures:
     Pa, `hardening_exponent`): mean force on the pin between the depths of `from` and `to` (m)."""
     cylinder, pin, meshes, words = _pressed_cylinder(options)
     start, end = options["from"], options["to"]
-    # Between its points the curve is taken as straight: thirty of them leave less than a thousandth of the stress.
-    strains = [0.0, *np.geomspace(1e-4, 2.0, 30)]
+    # Between its points the curve is taken as straight: beyond the first a thousandth of the stress is left at most.
+    strains = [0.0, *np.geomspace(1e-5, 2.0, 60)]
     flow = [(options["yield_stress"] + options["hardening_stress"] * e**options["hardening_exponent"], e)
             for e in strains]
     depths, forces = np.linspace(start, end, 101), []
