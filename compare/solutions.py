@@ -2,6 +2,10 @@
 """Exact temperature fields that a case names in its table [options.solution], all in SI units.
 
     kind = "rod"        length, hot: one end (position 0) held, the rest insulated
+    kind = "cooling_bar"  length, coefficient (W/(m² K)), fluid: its temperature; one end (position 0) in it,
+                        the rest insulated
+    kind = "warming_bar"  as "rod", but conductivity and specific_heat_capacity are proportional tables
+                        {temperature = [...], value = [...]}
     kind = "layers"     layers = [{length, conductivity, density, specific_heat_capacity}, ...],
                         low, high: temperatures of the ends (left out: insulated), contacts = [...]
     kind = "annulus"    inner, outer: radii; inner_temperature, outer_temperature (the same)
@@ -18,7 +22,8 @@ from typing import Any, Callable
 
 import numpy as np
 
-from compare.references import (Layer, layers_temperature, rod_temperature, wedge_temperature)
+from compare.references import (Layer, Table, cooling_bar_temperature, layers_temperature,
+                                rod_temperature, warming_bar_temperature, wedge_temperature)
 from compare.result import CodeFailure, Floats
 
 Field = Callable[[Floats, float], Floats]
@@ -56,6 +61,31 @@ def _rod(t: dict[str, Any], axis: int, initial: float) -> Solution:
     scale = length**2 / (t["conductivity"] / (t["density"] * t["specific_heat_capacity"]))
     return Solution(
         lambda x, time: rod_temperature(x[:, axis], length, time / scale, initial, hot),
+        lambda x, time: x[:, axis] / length, "distance from the hot end / L", scale,
+        _scale(initial, hot))
+
+
+def _cooling_bar(t: dict[str, Any], axis: int, initial: float) -> Solution:
+    length, fluid = t["length"], t["fluid"]
+    scale = length**2 / (t["conductivity"] / (t["density"] * t["specific_heat_capacity"]))
+    biot = t["coefficient"] * length / t["conductivity"]
+    return Solution(
+        lambda x, time: cooling_bar_temperature(x[:, axis], length, time / scale, biot, initial, fluid),
+        lambda x, time: x[:, axis] / length, "distance from the cooled end / L", scale,
+        _scale(initial, fluid))
+
+
+def _warming_bar(t: dict[str, Any], axis: int, initial: float) -> Solution:
+    length, hot = t["length"], t["hot"]
+    conductivity, capacity = (Table(**t[name]) for name in ("conductivity", "specific_heat_capacity"))
+    rows = np.union1d(conductivity.temperature, capacity.temperature)
+    diffusivity = conductivity.at(rows) / (t["density"] * capacity.at(rows))
+    if np.ptp(diffusivity) > 1e-12 * diffusivity.max():
+        raise CodeFailure("[options.solution]: conductivity and specific_heat_capacity are not proportional")
+    scale = length**2 / float(diffusivity[0])
+    return Solution(
+        lambda x, time: warming_bar_temperature(x[:, axis], length, time / scale, conductivity, initial,
+                                                hot),
         lambda x, time: x[:, axis] / length, "distance from the hot end / L", scale,
         _scale(initial, hot))
 
@@ -113,7 +143,8 @@ def _bilinear(r: Floats, a: Floats, values: Floats, radius: Floats, angle: Float
             + u * ((1 - v) * values[i + 1, j] + v * values[i + 1, j + 1]))
 
 
-KINDS = {"rod": _rod, "layers": _layers, "annulus": _annulus, "wedge": _wedge}
+KINDS = {"rod": _rod, "cooling_bar": _cooling_bar, "warming_bar": _warming_bar, "layers": _layers,
+         "annulus": _annulus, "wedge": _wedge}
 
 
 def solution(options: dict[str, Any]) -> Solution:

@@ -30,6 +30,8 @@ PLATE = {"length": 0.05, "width": 0.03, "thickness": 0.002, "density": 2790.0,
          "duration": 0.026 / 3.3e-3}
 MATERIAL = {"density": 2.0, "specific_heat_capacity": 3.0, "conductivity": 6.0}
 ROD = {"kind": "rod", "axis": 0, "length": 1.0, "initial": 10.0, "hot": 20.0, **MATERIAL}
+COOLING = {"kind": "cooling_bar", "axis": 0, "length": 1.0, "coefficient": 6.0, "initial": 20.0,
+           "fluid": 10.0, **MATERIAL}
 ANNULUS = {"kind": "annulus", "axis": 0, "inner": 1.0, "outer": 2.0, "initial": 10.0,
            "inner_temperature": 20.0, **MATERIAL}
 WEDGE = {"kind": "wedge", "axis": 0, "inner": 1.0, "outer": 2.0, "angle": 1.0, "initial": 10.0,
@@ -74,14 +76,14 @@ def measured(runs: Bodies, measure: str, reference: str = "", **options: Any) ->
 def body(kind: str) -> Floats:
     """Random places inside the body of a solution."""
     random = np.random.default_rng(1)
-    if kind in ("rod", "layers"):
+    if kind in ("rod", "cooling_bar", "layers"):
         return random.uniform(0, 1, (4000, 3))
     radius, angle = random.uniform(1, 2, 4000), random.uniform(0, 1, 4000)
     return np.stack([random.uniform(0, 1, 4000), radius * np.cos(angle),
                      radius * np.sin(angle)], axis=1)
 
 
-@pytest.mark.parametrize("table", [ROD, ANNULUS, WEDGE, LAYERS], ids=lambda t: t["kind"])
+@pytest.mark.parametrize("table", [ROD, COOLING, ANNULUS, WEDGE, LAYERS], ids=lambda t: t["kind"])
 def test_profile_and_field_errors(tmp_path: Path, table: dict[str, Any]) -> None:
     exact, place = solution({"solution": table}), body(table["kind"])
     time = 0.05 * exact.time_scale
