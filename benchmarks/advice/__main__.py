@@ -37,6 +37,7 @@ from solidem.series import Series, run_series  # noqa: E402
 FINER = 2.0  #: times the elements of what is proposed that a reference has, where that is affordable
 APART = 2.5  #: of the levels of a reference, in elements; coarser ones have twice the packings
 LEVELS = 5  #: of a reference
+STEPS_GROW = 4 / 3  #: power of the elements that the time of steps goes as
 OTHERS = 500  #: number of the first packing of a reference: none of those of small runs and series
 
 
@@ -107,8 +108,9 @@ class Trial:
         """Limit of other packings, half of its interval, and what they are."""
         most = max(best.elements if isinstance(best, Proposal) else best.asked()[-1].elements
                    for _, best in found)
-        finest = min(max(FINER * most, self.given.coarsest_reference), self.given.finest_reference)
         advice, pilots, levels, packings = found[-1][0], self.pilots("reference"), [], []
+        finest = min(max(FINER * most, self.given.coarsest_reference), self.given.finest_reference,
+                     self._affordable(advice))
         for coarser in range(LEVELS - 1, -1, -1):
             count = self.given.packings * 2**coarser
             runs = [pilots.run(finest / APART**coarser / self.own, advice.choices.changes, OTHERS + packing)
@@ -117,6 +119,19 @@ class Trial:
             packings.append(f"{count} × {runs[0].elements}")
         posterior = ErrorModel(levels, advice.scale, advice.study).posterior
         return posterior.limit, posterior.half_width(LIKELY) / advice.scale, ", ".join(packings)
+
+    def _affordable(self, advice: Advice) -> float:
+        """Elements of the finest level of a reference that takes no longer than is given for it."""
+        last = advice.levels[-1].value
+        elements, grown = last, APART**(1 / 4)
+
+        def taken(finest: float) -> float:
+            return sum(self.given.packings * 2**coarser * advice.costs[-1].times(
+                finest / APART**coarser / last, STEPS_GROW).processor for coarser in range(LEVELS))
+
+        while taken(grown * elements) <= self.given.reference_seconds:
+            elements *= grown
+        return elements
 
     def _row(self, advice: Advice, best: Proposal | Series, limit: float, known: float,
              packings: str) -> Row:
@@ -168,12 +183,14 @@ def main() -> int:
     known = sorted(path.stem for path in SCENES.glob("*.toml"))
     parser.add_argument("--scenes", nargs="+", choices=known, default=known)
     parser.add_argument("--errors", nargs="+", type=share, default=[0.05, 0.01])
-    parser.add_argument("--largest", type=float, default=30_000, help="elements that may be proposed")
-    parser.add_argument("--longest", type=float, default=60, help="s, that what is proposed may take")
+    parser.add_argument("--largest", type=float, default=80_000, help="elements that may be proposed")
+    parser.add_argument("--longest", type=float, default=180, help="s, that what is proposed may take")
     parser.add_argument("--pilot-seconds", type=float, default=20)
     parser.add_argument("--packings", type=int, default=3, help="of the finest level of a reference")
     parser.add_argument("--coarsest-reference", type=float, default=12_000, metavar="ELEMENTS")
-    parser.add_argument("--finest-reference", type=float, default=12_000, metavar="ELEMENTS")
+    parser.add_argument("--finest-reference", type=float, default=80_000, metavar="ELEMENTS")
+    parser.add_argument("--reference-seconds", type=float, default=240, help="of the processor, that the runs "
+                        "of a reference may take, about")
     parser.add_argument("--folder", type=Path, default=ROOT / "results" / "advice_kept")
     given = parser.parse_args()
     rows: list[Row] = []
