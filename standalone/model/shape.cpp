@@ -31,7 +31,6 @@ Polyhedron layer(const Polyhedron& solid, int axis, double from, double to) {
 }
 
 Polyhedron without_ends(const Polyhedron& solid, const Shape::Part& part, const Vector& centre) {
-  if (std::isinf(part.length)) return solid;
   const double middle = component(centre, part.axis);
   return layer(solid, part.axis, middle - 0.5 * part.length, middle + 0.5 * part.length);
 }
@@ -57,13 +56,40 @@ bool may_meet(const Polyhedron& solid, const Shape::Part& part, const Vector& po
   return true;
 }
 
+/// Whether a point, seen from the centre of a part, lies in it.
+bool holds(const Shape::Part& part, const Vector& point) {
+  switch (part.kind) {
+    case Shape::Kind::box:
+      return 2 * std::fabs(point.x) <= part.size.x && 2 * std::fabs(point.y) <= part.size.y &&
+             2 * std::fabs(point.z) <= part.size.z;
+    case Shape::Kind::cylinder: {
+      const double height = component(point, part.axis);
+      return 2 * std::fabs(height) <= part.length &&
+             dot(point, point) - height * height <= part.radius * part.radius;
+    }
+    case Shape::Kind::sphere:
+      break;
+  }
+  return dot(point, point) <= part.radius * part.radius;
+}
+
+/// Whether all of a solid lies in a part, which is convex: all its corners do.
+bool holds_all_of(const Polyhedron& solid, const Shape::Part& part, const Vector& centre) {
+  for (const std::vector<Vector>& face : solid.faces)
+    for (const Vector& corner : face)
+      if (!holds(part, corner - centre)) return false;
+  return true;
+}
+
 double volume_in_part(const Polyhedron& solid, const Shape::Part& part, const Vector& position) {
   if (!may_meet(solid, part, position)) return 0;
   const Vector centre = position + part.offset;
+  if (holds_all_of(solid, part, centre)) return volume(solid);
   switch (part.kind) {
     case Shape::Kind::box:
       return volume(within_box(solid, part, centre));
     case Shape::Kind::cylinder:
+      if (std::isinf(part.length)) return volume_in_cylinder(solid, centre, part.axis, part.radius);
       return volume_in_cylinder(without_ends(solid, part, centre), centre, part.axis, part.radius);
     case Shape::Kind::sphere:
       break;
@@ -82,7 +108,7 @@ Polyhedron within_facets_of_cylinder(const Polyhedron& solid, const Shape::Part&
   const double turn = std::sqrt(8 * facet_error * size_of(solid) / part.radius);
   const int count = std::clamp(static_cast<int>(std::ceil(2 * pi / turn)), 24, 4096);
   const double half = pi / count, distance = part.radius * std::sqrt(half / std::tan(half));
-  Polyhedron rest = without_ends(solid, part, centre);
+  Polyhedron rest = std::isinf(part.length) ? solid : without_ends(solid, part, centre);
   for (int k = 0; k < count && !rest.empty(); ++k) {
     const double angle = 2 * half * k;
     const Vector normal =
