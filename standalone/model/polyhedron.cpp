@@ -140,7 +140,7 @@ void add_triangle(const Point& a, const Point& b, Moments& sum) {
 }
 
 void add_sector(const Point& a, const Point& b, double radius, Moments& sum) {
-  const double length_a = std::hypot(a.x, a.y), length_b = std::hypot(b.x, b.y);
+  const double length_a = std::sqrt(dot(a, a)), length_b = std::sqrt(dot(b, b));
   const double cube = radius * radius * radius / 3;
   sum.area += 0.5 * radius * radius * std::atan2(cross(a, b), dot(a, b));
   sum.x += cube * (b.y / length_b - a.y / length_a);

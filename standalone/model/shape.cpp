@@ -44,16 +44,22 @@ Polyhedron within_box(const Polyhedron& solid, const Shape::Part& part, const Ve
   return rest;
 }
 
-/// Whether the boxes around a part and around a solid have something in common.
+/// Whether a part and the box around a solid have something in common; of a box, whether the two
+/// boxes do.
 bool may_meet(const Polyhedron& solid, const Shape::Part& part, const Vector& position) {
   if (solid.empty()) return false;
   const auto [lower, upper] = bounds(solid);
   const auto [from, to] = bounds_of(part);
-  for (int k = 0; k < 3; ++k)
-    if (component(position + from, k) >= component(upper, k) ||
-        component(position + to, k) <= component(lower, k))
-      return false;
-  return true;
+  const Vector centre = position + part.offset;
+  double squared = 0;  // distance of a round part's middle
+  for (int k = 0; k < 3; ++k) {
+    const double low = component(lower, k), high = component(upper, k);
+    if (component(position + from, k) >= high || component(position + to, k) <= low) return false;
+    if (part.kind == Shape::Kind::cylinder && k == part.axis) continue;
+    const double x = component(centre, k), away = x - std::clamp(x, low, high);
+    squared += away * away;
+  }
+  return part.kind == Shape::Kind::box || squared < part.radius * part.radius;
 }
 
 /// Whether a point, seen from the centre of a part, lies in it.
