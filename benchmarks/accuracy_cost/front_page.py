@@ -119,7 +119,8 @@ def _kind(kind: str, studies: list[Measured], pages: dict[str, Path]) -> list[st
     links = {study.name: link_to(pages[study.name], DOCS.parent, study) for study, _ in studies}
     held = {study.name: against(study) for study, _ in studies}
     return [f"## {KINDS[kind]}", "", f"![error over time, {kind}]({picture})", "",
-            *words.costs(studies, links, held), "", *words.knobs(studies), ""]
+            *words.costs(studies, links, held), "", "The cheapest knob for less error, and where effort stops:", "",
+            *words.knobs(studies), ""]
 
 
 def _codes(kinds: dict[str, list[Measured]]) -> list[str]:
@@ -143,7 +144,8 @@ def text_of(kinds: dict[str, list[Measured]]) -> str:
              "What error a simulation has, for how much time. Each point is the median of real runs, several "
              "packings of each, set-up and steps on one core; *to get 5 %* stands the cheapest that kept it in "
              "every packing that was run, and in all finer bodies with the same settings (–: out of reach of "
-             "what was run). Behind each name is its study, with reference, every point and every knob: "
+             "what was run). Effort stops where four times the time no longer halve the error. Behind each name "
+             "is its study, with reference, every point and every knob: "
              f"{behind}. For a scene of your own ask `solidem advise` "
              "([command_line.md](command_line.md#how-fine-a-scene-has-to-be)). `python3 -m "
              "benchmarks.accuracy_cost.front_page` makes this page from the tables beside those pages.", ""]

@@ -89,23 +89,13 @@ def factor(value: float) -> str:
     return f"× {float(f'{value:.2g}'):g}"
 
 
-def _knobs(study: Study, points: Points) -> str:
-    """Which is cheapest, and which do not help."""
-    found: list[Gain] = gains(study, points)
-    helpful = [gain for gain in found if math.isfinite(gain.price)]
-    idle = [gain for gain in found if not math.isfinite(gain.price) and gain.whole_factor > 1.05]
-    words = []
-    if helpful:
-        best = helpful[0]
-        words.append(f"cheapest for less error is {best.words} (error {factor(best.error_factor)}, time "
-                     f"{factor(best.whole_factor)})")
-    faster = [gain for gain in found if gain.error_factor < 1.1 and gain.whole_factor < 0.9]
-    if faster:
-        most = min(faster, key=lambda gain: gain.whole_factor)
-        words.append(f"for less time {most.words} ({factor(most.whole_factor)})")
-    if idle:
-        words.append("no help: " + ", ".join(dict.fromkeys(gain.words for gain in idle)))
-    return "; ".join(words)
+def _cheapest_knob(study: Study, points: Points) -> str:
+    """The best bargain; empty where no knob gives less error."""
+    helpful: list[Gain] = [gain for gain in gains(study, own(points)) if math.isfinite(gain.price)]
+    if not helpful:
+        return ""
+    best = helpful[0]
+    return f"{best.words} (error {factor(best.error_factor)}, time {factor(best.whole_factor)})"
 
 
 def _stops(study: Study, points: Points) -> str:
@@ -116,15 +106,14 @@ def _stops(study: Study, points: Points) -> str:
     stop = next((before for before, after in zip(line, line[1:])
                  if after.error > before.error / 2
                  and after.whole_seconds > 4 * before.whole_seconds), None)
-    return (f"beyond {percent(stop.error)} in {seconds(stop.whole_seconds)} four times the time no longer halve "
-            "the error") if stop else ""
+    return f"stops beyond {percent(stop.error)} in {seconds(stop.whole_seconds)}" if stop else ""
 
 
 def knobs(studies: Sequence[Measured]) -> list[str]:
-    """A line for each study: its knobs, and where effort stops to help."""
+    """A line for each study: its cheapest knob, and where effort stops to help."""
     lines = []
     for study, points in studies:
-        words = [word for word in (_knobs(study, points), _stops(study, points)) if word]
+        words = [word for word in (_cheapest_knob(study, points), _stops(study, points)) if word]
         if words:
             lines.append(f"- {study.title}: {'; '.join(words)}.")
     return lines
