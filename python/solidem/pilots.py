@@ -68,7 +68,10 @@ def read(results: Results, of: str, at: str, taken: Taken) -> Pilot:
     """What a run gave."""
     summary = results.summary
     wall = summary["wall_seconds"]
-    linear = max(taken.seconds - wall["steps"] - wall["output"], 0.0)
+    # What waited for others on a busy machine is no cost.
+    busy = max(taken.seconds - wall["output"], 1e-9)
+    own = min(1.0, taken.processor / busy)
+    linear, steps = own * max(busy - wall["steps"], 0.0), own * wall["steps"]
     step = summary["time_step"]
     ratio = summary.get("time_step_ratio") or 0.0
     limit = summary.get("time_step_limit") or 0.0
@@ -80,7 +83,7 @@ def read(results: Results, of: str, at: str, taken: Taken) -> Pilot:
                if name.startswith("temperature.") and name.endswith(".value")
                for other in history if other.endswith(".temperature")]
     return Pilot(figure_of(results, of, at), scale_of(results, of), summary["elements"],
-                 summary["steps"], Cost(linear, wall["steps"], taken.processor, wall["output"]),
+                 summary["steps"], Cost(linear, steps, taken.processor, wall["output"]),
                  summary["bytes_per_element"], ratio, ratio * limit / step if limit else 0.0,
                  summary["simulated_time"], max(changes + imposed, default=0.0))
 
