@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What each effect costs: one scene, its effects switched on one by one, for beams and for central forces.
 
-    /usr/bin/python3 -m benchmarks.effects [--elements N] [--steps N] [--rounds N] [--liggghts] [--liggghts-steps N]
+    /usr/bin/python3 -m benchmarks.effects [--elements N] [--steps N] [--rounds N] [--effects EFFECT ...]
+        [--liggghts] [--liggghts-steps N]
 
 Time is that of the processor, of a long run less that of a short one, so that reading and writing do
 not count; effects are run in turn, medians over the rounds of the ratio to the base of the same round.
@@ -60,9 +61,15 @@ def bytes_of(base: str, effect: str, folder: Path) -> tuple[float, float]:
     return told["bytes"] / told["elements"], told["bonds"] / told["elements"]
 
 
-def measured(name: str, steps: int, rounds: int, folder: Path) -> list[dict[str, Any]]:
-    """Rows of one base."""
+def chosen(name: str, only: list[str] | None) -> tuple[str, dict[str, str]]:
+    """A base and its effects, or those of them that are asked for."""
     base, effects = BASES[name]
+    return base, {effect: text for effect, text in effects.items() if only is None or effect in only}
+
+
+def measured(name: str, only: list[str] | None, steps: int, rounds: int, folder: Path) -> list[dict[str, Any]]:
+    """Rows of one base."""
+    base, effects = chosen(name, only)
     times: dict[str, list[float]] = {effect: [] for effect in effects}
     bases: dict[str, list[float]] = {effect: [] for effect in effects}
     for number in range(rounds):
@@ -84,11 +91,12 @@ def measured(name: str, steps: int, rounds: int, folder: Path) -> list[dict[str,
     return rows
 
 
-def in_liggghts(name: str, steps: int, rounds: int, folder: Path) -> list[dict[str, Any]]:
+def in_liggghts(name: str, only: list[str] | None, steps: int, rounds: int,
+                folder: Path) -> list[dict[str, Any]]:
     """Rows of one base, of the effects that it takes; what it refuses is told."""
     from benchmarks.effects.liggghts import measured_in_liggghts  # needs h5py
     rows = []
-    for effect, times in measured_in_liggghts(*BASES[name], steps, rounds, folder).items():
+    for effect, times in measured_in_liggghts(*chosen(name, only), steps, rounds, folder).items():
         if isinstance(times, str):
             print(f"liggghts, {name}, {effect}: not measured: {times}", flush=True)
             continue
@@ -107,6 +115,20 @@ def told(row: dict[str, Any]) -> str:
             f"{row['most_ratio']:.3f})" + ("" if memory == "" else f", {memory:+.1f} bytes an element"))
 
 
+def write(rows: list[dict[str, Any]], path: Path) -> None:
+    """A table, in which rows that are there and were not measured anew stay in their places."""
+    new = {(row["code"], row["base"], row["effect"]): {
+        key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()} for row in rows}
+    if path.exists():
+        with path.open(newline="", encoding="utf-8") as file:
+            there = {(row["code"], row["base"], row["effect"]): row for row in csv.DictReader(file)}
+        new = {**there, **new}
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        table.writeheader()
+        table.writerows(new.values())
+
+
 def main() -> int:
     """Prints a table and writes it."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -114,29 +136,29 @@ def main() -> int:
     parser.add_argument("--steps", type=int, default=1000)
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("bases", nargs="*", metavar="BASE", help=", ".join(BASES) + "; all if none is named")
+    parser.add_argument("--effects", nargs="+", metavar="EFFECT", help="these alone; other rows of the table stay")
     parser.add_argument("--liggghts", action="store_true", help="in LIGGGHTS as well")
     parser.add_argument("--liggghts-steps", type=int, help="steps there (default: a tenth of those of solidem)")
     parser.add_argument("--folder", type=Path, default=ROOT / "results" / "effects")
     given = parser.parse_args()
     if unknown := [name for name in given.bases if name not in BASES]:
         parser.error(f"unknown base {unknown[0]!r}; known: {', '.join(BASES)}")
+    known = {effect: None for _, effects in BASES.values() for effect in effects}
+    if unknown := [name for name in given.effects or [] if name not in known]:
+        parser.error(f"unknown effect {unknown[0]!r}; known: {', '.join(known)}")
     os.environ["OMP_NUM_THREADS"] = "1"
     given.folder.mkdir(parents=True, exist_ok=True)
     (given.folder / "body.toml").write_text(SPECIMEN.replace("$elements", str(given.elements)))
     processor_seconds(["specimen", "body.toml", "--output", "bar.h5", "--overwrite"], given.folder)
     rows = []
     for name in given.bases or BASES:
-        found = measured(name, given.steps, given.rounds, given.folder)
+        found = measured(name, given.effects, given.steps, given.rounds, given.folder)
         if given.liggghts:
-            found += in_liggghts(name, given.liggghts_steps or max(1, given.steps // 10), given.rounds,
+            found += in_liggghts(name, given.effects, given.liggghts_steps or max(1, given.steps // 10), given.rounds,
                                  given.folder.resolve())
         rows += found
         print(*map(told, found), sep="\n", flush=True)
-    with (given.folder / "effects.csv").open("w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        table.writeheader()
-        table.writerows({key: f"{value:.6g}" if isinstance(value, float) else value
-                         for key, value in row.items()} for row in rows)
+    write(rows, given.folder / "effects.csv")
     return 0
 
 

@@ -13,6 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, os.environ.get("SOLIDEM_PYTHON", str(ROOT / "build" / "release" / "python")))
 from benchmarks.advice.__main__ import SCENES, Row, asked_of, told  # noqa: E402
+from benchmarks.effects.__main__ import write as write_effects  # noqa: E402
 from benchmarks.effects.scenes import (BEAM_EFFECTS, BEAMS, CENTRAL, CENTRAL_EFFECTS,  # noqa: E402
                                        SPECIMEN, scene)
 from solidem import Scene  # noqa: E402
@@ -38,6 +39,16 @@ def test_a_broken_promise_is_told() -> None:
     row = Row("bar", "elastic", "gauge.stress", 0.01, True, "body", 0.01, 0.004, 1000, "2 × 4000", 0.001,
               0.02, "broken", 10.0, 2.0, 4.0, 2.0, 30_000.0, 60.0)
     assert "1000 elements, promised 1 %, error 2 % ± 0.1 % broken; foretold 2 s, took 4 s (× 2.00)" in told(row)
+
+
+def test_effects_that_are_not_measured_anew_stay(tmp_path: Path) -> None:
+    def row(effect: str, ratio: float) -> dict[str, object]:
+        return {"code": "standalone", "base": "beams", "effect": effect, "time_ratio": ratio}
+
+    table = tmp_path / "effects.csv"
+    write_effects([row("off again", 1.1), row("gravity", 1.2)], table)
+    write_effects([row("off again", 1.0)], table)
+    assert table.read_text().splitlines()[1:] == ["standalone,beams,off again,1", "standalone,beams,gravity,1.2"]
 
 
 @pytest.mark.parametrize(("base", "effects"), [(BEAMS, BEAM_EFFECTS), (CENTRAL, CENTRAL_EFFECTS)])
