@@ -117,7 +117,7 @@ struct Pull {
       push += drag;
       dissipated += select(seen.inside, drag * drag, none);
     }
-    const PackVector pulled = -select(seen.inside, push * seen.inverse_distance, none) * seen.chord;
+    PackVector pulled = -select(seen.inside, push * seen.inverse_distance, none) * seen.chord;
     force += pulled;
     return pulled;
   }
