@@ -114,7 +114,7 @@ def test_one_set_meets_the_targets_in_the_mean_and_a_set_for_each_in_each(solide
         assert result["figures"][0]["poisson_ratio"] == pytest.approx(0.3, abs=0.002)
 
 
-def test_a_bar_torn_in_two_gives_back_its_yield_strain_hardening_and_rupture_strain(solidem):
+def test_a_bar_torn_in_two_gives_back_its_yield_strain_its_strength_and_its_rupture_strain(solidem):
     beams = {"young_modulus": 3.5e12, "radius_ratio": 0.27}
     plastic = ("[plasticity]\nyield_strain = {}\nhardening_ratio = {}\n"
                "[rupture]\nstrain = {}\n")
@@ -137,10 +137,18 @@ def test_a_bar_torn_in_two_gives_back_its_yield_strain_hardening_and_rupture_str
                            + "tolerances = { peak_stress = 0.005 }\n")
     done = solidem("calibrate", wanted, "-o", "wanted")
     assert done.returncode == 0, done.stderr
-    found = results(solidem.folder / "wanted")[0]["parameters"]
+    result = results(solidem.folder / "wanted")[0]
+    assert result["figures"][0]["peak_stress"] == pytest.approx(shown["peak_stress"], rel=0.005)
+    found = result["parameters"]
     assert found["yield_strain"] == pytest.approx(0.0021, rel=0.03)
-    assert found["hardening_ratio"] == pytest.approx(0.007, rel=0.15)
     assert found["rupture_strain"] == pytest.approx(0.2, rel=0.15)
+
+    # The largest stress tells hardening and rupture strain together: what a bond bears when it breaks.
+    def strength(yield_strain: float, hardening: float, rupture_strain: float) -> float:
+        return yield_strain + hardening * (rupture_strain - yield_strain)
+
+    assert strength(found["yield_strain"], found["hardening_ratio"],
+                    found["rupture_strain"]) == pytest.approx(strength(0.0021, 0.007, 0.2), rel=0.05)
 
 
 @pytest.mark.parametrize("target", [0.02, 0.49])
