@@ -10,9 +10,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+from benchmarks.accuracy_cost.plot import LEVELS  # noqa: E402
 from benchmarks.accuracy_cost.results import Median, front  # noqa: E402
 
-LEVELS = (0.05, 0.01, 0.001)
 MARKERS = "osD^vP"
 
 

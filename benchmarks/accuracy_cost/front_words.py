@@ -7,11 +7,11 @@ import math
 from pathlib import Path
 from typing import Sequence
 
-from benchmarks.accuracy_cost.page import percent, seconds
+from benchmarks.accuracy_cost.page import percent, seconds, way
+from benchmarks.accuracy_cost.plot import LEVELS
 from benchmarks.accuracy_cost.results import Gain, Median, cheapest, front, gains, own
 from benchmarks.accuracy_cost.study import Study
 
-LEVELS = (0.05, 0.01, 0.001)
 #: Columns of points.csv that are no labels of a point.
 MEASURED = {"study", "reading", "runs", "error", "least_error", "most_error", "seconds",
             "least_seconds", "most_seconds", "set_up_seconds", "packing_seconds", "program_seconds",
@@ -40,18 +40,6 @@ def median_of(row: dict[str, str]) -> Median:
 def code_of(m: Median) -> str:
     """That made a point."""
     return m.labels.get("code", "standalone")
-
-
-def way(study: Study, m: Median) -> str:
-    """How a point is computed; what is the rule goes without saying."""
-    rule = {"code": "standalone", "instructions": "best", "precision": "double", "masses": "true masses"}
-    if len(study.axes.get("law", [])) == 1:
-        rule["law"] = m.labels["law"]
-    words = [f"{value} element{'' if value == '1' else 's'}" if key == "elements" else value
-             for key, value in m.labels.items()
-             if key in study.axes and rule.get(key) != value
-             and not (key == "speed" and m.labels.get("solver"))]
-    return ", ".join(words)
 
 
 def dependable(points: Points, level: float) -> Median | None:

@@ -28,19 +28,22 @@ def seconds(time: float | None) -> str:
     return "not told" if time is None or not math.isfinite(time) else f"{float(f'{time:.2g}'):g} s"
 
 
-def _way(study: Study, m: Median, but: str = "") -> str:
-    """How a point is computed, all `but` one axis; what is the rule goes without saying."""
+def way(study: Study, m: Median, but: str = "") -> str:
+    """How a point is computed, all `but` one axis; what is the rule, and the law of a study that has but
+    one, goes without saying."""
     rule = {"code": "standalone", "instructions": "best", "precision": "double", "masses": "true masses"}
-    shown = [axis for axis in study.axes if axis != but and m.labels.get(axis) != rule.get(axis)
+    if len(study.axes.get("law", [])) == 1:
+        rule["law"] = m.labels["law"]
+    shown = [axis for axis in study.axes if axis != but and axis in m.labels and m.labels[axis] != rule.get(axis)
              and not (axis == "speed" and m.labels.get("solver"))]  # a body at rest knows no speed
-    words = [f"{m.labels[k]} elements" if k == "elements" else m.labels[k]
-             for k in shown if k in m.labels]
+    words = [f"{m.labels[k]} element{'' if m.labels[k] == '1' else 's'}" if k == "elements" else m.labels[k]
+             for k in shown]
     return ", ".join(words)
 
 
 def _costs(study: Study, m: Median) -> list[str]:
     """A way, its error and its times."""
-    return [_way(study, m), percent(m.error), seconds(m.seconds), seconds(m.set_up_seconds),
+    return [way(study, m), percent(m.error), seconds(m.seconds), seconds(m.set_up_seconds),
             seconds(m.packing_seconds)]
 
 
@@ -72,7 +75,7 @@ def _levels(document: Document, study: Study, points: Sequence[Median]) -> None:
         for level in LEVELS:
             m = cheapest(own, level)
             row.append("not reached" if m is None else
-                       f"{seconds(m.whole_seconds)} ({_way(study, m, but='law')})")
+                       f"{seconds(m.whole_seconds)} ({way(study, m, but='law')})")
         table.append([*row, f"{percent(best.error)} ({best.labels['elements']} elements)"])
     document.paragraph("Each law by itself, set-up and steps:")
     document.table(["law", *(f"{percent(e)}" for e in LEVELS), "least error of all"], table)
@@ -130,7 +133,7 @@ def _codes(document: Document, study: Study, points: Sequence[Median]) -> None:
         if m.labels.get("code", "standalone") == "standalone" or rest(m) not in own:
             continue
         base = own[rest(m)]
-        rows.append([m.labels["code"], _way(study, base), percent(m.error),
+        rows.append([m.labels["code"], way(study, base), percent(m.error),
                      percent(base.error), seconds(m.seconds), seconds(base.seconds),
                      f"{m.seconds / base.seconds:.3g}"])
     if rows:
@@ -177,7 +180,7 @@ def _front(document: Document, study: Study, points: Sequence[Median]) -> None:
     document.paragraph("No other point is both faster and more accurate than these.")
     document.table(["steps", "error", "from – to", "way", "set-up", "front with set-up too"],
                    [[seconds(m.seconds), percent(m.error),
-                     f"{percent(m.least_error)} – {percent(m.most_error)}", _way(study, m),
+                     f"{percent(m.least_error)} – {percent(m.most_error)}", way(study, m),
                      seconds(m.set_up_seconds), "yes" if m.on_whole_front else ""]
                     for m in sorted(points, key=lambda m: m.seconds) if m.on_front])
 
